@@ -79,6 +79,11 @@ macro_rules! for_each_known_answer {
                 drag_walls_matches_its_twin: ["drag_walls"],
                 a_wrong_face_or_wall_is_told_apart: ["drag_walls"],
             }
+            drains {
+                drain_particles_matches_its_twin: ["drain_particles"],
+                limited_drains_match_their_twins: ["mark_drained", "take_drained", "settle_drain"],
+                compaction_matches_its_twin: ["mark_active", "list_movers", "fill_holes", "count_compacted"],
+            }
             drawn_caustics {
                 each_stage_is_its_twin: [
                     "draw_sun_depth", "draw_smooth_sun_depth", "draw_sun_thickness", "refract_photons",
@@ -102,6 +107,11 @@ macro_rules! for_each_known_answer {
                     "draw_fluid_depth", "draw_opaque_planes", "draw_thickness",
                 ],
                 thickness_of_one_particle_is_its_volume: ["draw_thickness"],
+            }
+            emitters {
+                open_emitters_matches_its_twin: ["open_emitters"],
+                emit_particles_matches_its_twin: ["emit_particles"],
+                guide_particles_matches_its_twin: ["guide_particles"],
             }
             grid {
                 count_cells_matches_its_twin: ["count_cells"],

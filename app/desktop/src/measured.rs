@@ -43,6 +43,10 @@ pub struct Counted {
     pub divergence_iterations: u64,
     /// Pressure solves that ended above their tolerance.
     pub unsolved: u64,
+    /// Particles that emitters emitted.
+    pub emitted: u64,
+    /// Particles that drains took, or whose lifetime ended.
+    pub drained: u64,
     /// Particles for which no slot was free.
     pub capacity_overflow: u64,
     /// Particles whose state was not finite.
@@ -100,6 +104,8 @@ impl Measured {
         self.counted.density_iterations += u64::from(counters.density_iterations);
         self.counted.divergence_iterations += u64::from(counters.divergence_iterations);
         self.counted.unsolved += u64::from(counters.unsolved);
+        self.counted.emitted += u64::from(counters.emitted);
+        self.counted.drained += u64::from(counters.drained);
         self.counted.capacity_overflow += u64::from(counters.capacity_overflow);
         self.counted.quarantined = u64::from(stats.quarantined);
         self.counted.escaped = u64::from(stats.escaped);

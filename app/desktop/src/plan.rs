@@ -94,7 +94,7 @@ fn print_json(scene: &Scene, planned: &ScenePlan, absent: &[Absent], no_timing: 
 
 /// How many particles there are at the start, and how many slots where there are more.
 pub fn said_particles(scene: &Scene, slots: u32) -> String {
-    match scene.capacity {
+    match scene.slot_capacity() {
         Some(_) => format!("{} particles in {slots} slots", scene.particle_count()),
         None => format!("{slots} particles"),
     }

@@ -361,6 +361,14 @@ impl Summary {
             counted.quarantined,
             counted.escaped,
         );
+        if counted.emitted + counted.drained + counted.capacity_overflow > 0 {
+            say!(
+                "particles that came: {}, that went: {}, that found no slot: {}",
+                counted.emitted,
+                counted.drained,
+                counted.capacity_overflow
+            );
+        }
         if let Some(word) = counted.instability() {
             say!("{word}");
         }

@@ -83,6 +83,12 @@ pub const STAT_FIELDS: &[StatField] = &[
     field("unsolved", "1", "Pressure solves that ended above their tolerance since the last measurement", |s| {
         f64::from(s.counters.unsolved)
     }),
+    field("emitted", "1", "Particles that emitters emitted since the last measurement", |s| {
+        f64::from(s.counters.emitted)
+    }),
+    field("drained", "1", "Particles that drains took or whose lifetime ended since the last measurement", |s| {
+        f64::from(s.counters.drained)
+    }),
     field("capacity_overflow", "1", "Particles for which no slot was free since the last measurement", |s| {
         f64::from(s.counters.capacity_overflow)
     }),

@@ -22,8 +22,8 @@
 //! | section | version | content |
 //! |---|---|---|
 //! | `PART` | 1 | for each slot, inactive ones too, its position relative to the domain's lowest corner, 3 f32 in m, and its tag, u32 (`shared/layout.hlsli`); then for each its velocity, 3 f32 in m/s |
+//! | `AGES` | 1 | for each slot its particle's age, f32 in s, below 0 what is left of its lifetime; there only if some are not 0 |
 //! | `BODY` | 1 | for each of the scene's bodies, in the order of its solids, f32: its centre of mass relative to the domain's lowest corner (3, m), rotation (quaternion x, y, z, w), velocity (3, m/s), spin (3, rad/s), and what the fluid owes it, momentum (3, kg m/s) and angular momentum (3, kg m²/s); then the 16 u32 of its reaction (`boundary/bodies/layout.hlsli`); there only if there are any |
-//! | `AGES` | 1 | for each slot its particle's age, f32 in s; there only if some are not 0 |
 //!
 //! In version 1 of the format the content of `PART` follows the header, without a list of sections, and the scene has
 //! the keys of `[solver.pbf]` and `[forces]` in `[solver]`.
@@ -190,7 +190,7 @@ impl State {
         bytes.extend_from_slice(&VERSION.to_le_bytes());
         bytes.extend_from_slice(&(header.len() as u32).to_le_bytes());
         bytes.extend_from_slice(&header);
-        let has_ages = self.particles.velocities.iter().any(|velocity| velocity.age_s > 0.0);
+        let has_ages = self.particles.velocities.iter().any(|velocity| velocity.age_s != 0.0);
         let has_bodies = !self.bodies.states.is_empty();
         bytes.extend_from_slice(&(1 + u32::from(has_ages) + u32::from(has_bodies)).to_le_bytes());
         sections::append(&mut bytes, PARTICLES, 1, |bytes| append_particles(bytes, &self.particles));
@@ -351,8 +351,8 @@ fn check(particles: &ParticleSet) -> Result<(), String> {
             let most = seen.len() - 1;
             return Err(format!("particle {index} has the id {id}; each from 0 to {most} must be there once"));
         }
-        if !(velocity.age_s.is_finite() && velocity.age_s >= 0.0) {
-            return Err(format!("the age of particle {index} is {} s; it must be 0 or more", velocity.age_s));
+        if !velocity.age_s.is_finite() {
+            return Err(format!("the age of particle {index} is {} s; it must be finite", velocity.age_s));
         }
         seen[id] = true;
     }

@@ -2,8 +2,8 @@
 
 use brooklet_gpu::{Engine, GpuError, Plan, Recording, RecordingId, Resources};
 use brooklet_kernels::{
-    Buffer, Counters, Measure, PbfParams, Position, ResourceId, SolidPose, SolidsParams, StepParams, Velocity,
-    WarmStart,
+    Buffer, Counters, EmitterState, Measure, PbfParams, Position, ResourceId, SolidPose, SolidsParams, StepParams,
+    Velocity, WarmStart,
 };
 
 use crate::body_motion::BodyMotion;
@@ -44,6 +44,8 @@ pub struct Recorded {
     pub pressures: Vec<Buffer<f32>>,
     /// What a substep takes of the last one's acceleration; none of solvers that keep none.
     pub accelerations: Option<Buffer<[f32; 4]>>,
+    /// What lasts of emitters from substep to substep; none of scenes without.
+    pub emitter_states: Option<Buffer<EmitterState>>,
     /// What the shaders are told of a step, gravity among it.
     pub step_params: Buffer<StepParams>,
     /// What the solids' are told, if there are any.
@@ -125,7 +127,7 @@ pub fn record(resources: &mut Resources, scene: &Scene) -> Recorded {
 
 /// As [`record`], with particles of the caller's instead of the scene's fluids.
 pub fn record_particles(resources: &mut Resources, scene: &Scene, mut particles: ParticleSet) -> Recorded {
-    particles.fill_slots(scene.capacity.unwrap_or_default());
+    particles.fill_slots(scene.slot_capacity().unwrap_or_default());
     let mut recorded = record_count(resources, scene, particles.positions.len() as u32);
     let state = recorded.slots.state_of(&particles, 0.0);
     recorded.init.upload(&mut recorded.slots.state, &[state]);
@@ -162,11 +164,17 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
     if let Some(solids) = &mut context.solids {
         solids.record_init(&mut init, scene);
     }
+    if let Some(sources) = &mut context.sources {
+        sources.record_init(&mut init, scene, capacity);
+    }
     solver.record_init(&mut init, scene);
 
     let mut step = resources.recording("step");
     for _ in 0..scene.substeps() {
         solver.begin_substep(&mut step, &mut context);
+        if let Some(sources) = &mut context.sources {
+            sources.record(&mut step, &mut context.slots, &mut context.counters, &mut particles);
+        }
         if let Some(solids) = &mut context.solids {
             solids.record_step(&mut step);
             solids.record_move(&mut step);
@@ -206,6 +214,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         solids_params: context.solids.as_ref().map(|solids| solids.params().alias()),
         solid_poses: context.solids.as_ref().map(|solids| solids.poses().alias()),
         bodies: context.solids.as_ref().and_then(|solids| solids.bodies().map(BodyBuffers::alias)),
+        emitter_states: context.sources.as_ref().and_then(|sources| sources.emitter_states()).map(Buffer::alias),
         step_params: context.step.alias(),
         pbf_params: solver.pbf_params().map(Buffer::alias),
         slots: context.slots,

@@ -5,6 +5,7 @@ use brooklet_kernels::{Buffer, Counters, Position, StepParams, Velocity, WallsKe
 
 use crate::boundary::DragWalls;
 use crate::boundary::solids::Solids;
+use crate::emitters::Sources;
 use crate::scene::Scene;
 use crate::slots::Slots;
 
@@ -24,6 +25,8 @@ pub struct StepContext {
     pub drag_walls: Option<DragWalls>,
     /// The solids in it, if there are any.
     pub solids: Option<Solids>,
+    /// What particles come from and go to, if they do.
+    pub sources: Option<Sources>,
 }
 
 impl StepContext {
@@ -31,7 +34,7 @@ impl StepContext {
     pub fn declare(resources: &mut Resources, scene: &Scene, capacity: u32) -> Self {
         let step = resources.persistent("step_params", 1);
         let slots = Slots {
-            counts_vary: scene.capacity.is_some(),
+            counts_vary: scene.slot_capacity().is_some(),
             substeps_vary: scene.adapts_substeps(),
             ..Slots::declare(resources, capacity)
         };
@@ -41,6 +44,7 @@ impl StepContext {
             periodic: scene.domain.is_periodic(),
             drag_walls: DragWalls::declare(resources, scene),
             solids: Solids::declare(resources, scene, &slots, &step),
+            sources: Sources::declare(resources, scene, capacity),
             step,
             slots,
         }

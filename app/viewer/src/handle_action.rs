@@ -88,6 +88,7 @@ impl Viewer {
                 ("spacing", running.spacing_m != wanted.spacing_m),
                 ("domain", running.domain != wanted.domain),
                 ("fluids", running.fluids != wanted.fluids),
+                ("room for particles", running.slot_capacity() != wanted.slot_capacity()),
             ];
             self.waiting = parts.iter().filter(|(_, waits)| *waits).map(|(name, _)| (*name).to_owned()).collect();
             return;

@@ -72,7 +72,8 @@ impl Rung {
         if self.fewer_particles == 1 {
             return 1.0;
         }
-        let most = scene.particle_count() as f64 / LEAST_PARTICLES;
+        let slots = scene.slot_capacity().map_or(0, u64::from);
+        let most = scene.particle_count().max(slots) as f64 / LEAST_PARTICLES;
         f64::from(self.fewer_particles).min(most).max(1.0)
     }
 
@@ -82,6 +83,8 @@ impl Rung {
         let fewer = self.fewer_particles_of(&scene);
         if fewer > 1.0 {
             scene.spacing_m *= fewer.powf(1.0 / f64::from(scene.domain.dimensions));
+            let least = scene.particle_count() as u32;
+            scene.capacity = scene.capacity.map(|slots| ((f64::from(slots) / fewer).ceil() as u32).max(least));
         }
         let keeps_precision = KEEPS_PRECISION.contains(&scene.name.as_str());
         if self.lower_precision && scene.solver.precision == Precision::Full && !keeps_precision {

@@ -306,5 +306,8 @@ fn plan(scene: &Scene, source: ParticleSource, view: View, options: FrameOptions
 
 /// Whether the particles of one scene mean nothing in the other.
 pub fn needs_reset(running: &Scene, other: &Scene) -> bool {
-    running.spacing_m != other.spacing_m || running.domain != other.domain || running.fluids != other.fluids
+    running.spacing_m != other.spacing_m
+        || running.domain != other.domain
+        || running.fluids != other.fluids
+        || running.slot_capacity() != other.slot_capacity()
 }

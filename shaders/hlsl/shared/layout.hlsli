@@ -46,7 +46,7 @@ struct PositionLambda
 struct Velocity
 {
     float3 velocity_m_s;
-    float age_s;        // since the particle began, where the solver counts it
+    float age_s;        // since the particle began, where the solver counts it; below 0: what is left of its lifetime
 };
 
 // Curl of the velocity field and its length, 1/s.
@@ -212,11 +212,11 @@ struct Counters
     uint crowded;               // particles around which not all candidates were looked at
     uint capacity_overflow;     // particles that were to be activated when no slot was left
     uint long_substeps;         // that were longer than an explicit solver's limit
-    uint reserved1;
+    uint emitted;               // particles that emitters put into slots
     uint density_iterations;    // of pressure solves that end by their residual: that hold the density
     uint divergence_iterations; // and that hold its change
     uint unsolved;              // such solves that did all iterations there were and had a residual left above tolerance
-    uint reserved2;
+    uint drained;               // particles whose slots drains emptied, or the end of their lifetime did
 };
 
 // Sums and extremes of one group of particles; the last stage reduces them to one of these.

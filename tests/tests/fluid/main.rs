@@ -9,6 +9,7 @@ mod determinism;
 mod dfsph;
 mod domains;
 mod domains_lists;
+mod emitters;
 mod extreme_capacity;
 mod extreme_column;
 mod extreme_corner;

@@ -82,8 +82,12 @@ fn ages_come_back_and_bad_ones_are_refused() {
     let loaded = State::from_bytes(&bytes, "aged").unwrap();
     assert_eq!(bits(&loaded.particles), bits(&state.particles));
     state.particles.velocities[7].age_s = -1.0;
-    let message = State::from_bytes(&state.to_bytes(), "aged").unwrap_err().to_string();
-    assert!(message.contains("state aged: the age of particle 7 is -1 s; it must be 0 or more"), "{message}");
+    let loaded = State::from_bytes(&state.to_bytes(), "aged").unwrap();
+    assert_eq!(bits(&loaded.particles), bits(&state.particles), "what is left of a lifetime, too");
+    let nan: Vec<u8> = (0..count).flat_map(|_| f32::NAN.to_le_bytes()).collect();
+    let bad = with_section(&state_without_ages(&state), b"AGES", 1, 0, &nan);
+    let message = State::from_bytes(&bad, "aged").map(drop).unwrap_err().to_string();
+    assert!(message.contains("state aged: the age of particle 0 is NaN s; it must be finite"), "{message}");
     let short = with_section(&state_without_ages(&state), b"AGES", 1, 0, &[0; 8]);
     let message = State::from_bytes(&short, "aged").unwrap_err().to_string();
     assert!(message.contains(&format!("section AGES has 8 bytes, and its {count} particles take")), "{message}");

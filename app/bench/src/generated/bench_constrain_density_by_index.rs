@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "5a7242a941698979ee4e1e7f27040a64e8524aec662763051d7afa596513bd40",
+    hash: "4d034c943e80c37e2da8a52cd13e5327e2c94f883c42b6573688bc5657acb37e",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "275d0169c2206d32e0a475f5659bdc0ef3b9d44a377a398d6494053c9535f00e",
+    hash: "647781a6f330b862518e7022f89e7590f7b4414a74f62537a8b0dd744b551f42",
 };

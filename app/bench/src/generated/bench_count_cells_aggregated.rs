@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "cb867121cb1d71d1437205922cb3096dac8fea8c607a2a7c3398dc3c51a47d85",
+    hash: "b4ca2ab6d3d33ae3302893d35cd4cfeea44348685e0c1d985e11f825222fbce2",
 };

@@ -55,5 +55,5 @@ static GATHER_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/gather_elements.compute",
-    hash: "94bf1903488768aebb07e9c93a52b922f9bb3d48f28d972e2fe96f0dc0bd6e68",
+    hash: "e8aeae6226bac118c82179a0b4864aa60206f5cc1558b463a7b01bf8c62c5d34",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "e1218a2aa54907c6229ccedb19aa089cdd6476dfb12b313e63e8f516512aedab",
+    hash: "953697026668e16dd8ed7ce4ea4a18575556479059943227900ba5b95bc5398c",
 };

@@ -45,5 +45,5 @@ static MULTIPLY_ADD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/multiply_add.compute",
-    hash: "7658d882a277fc525df5c19182dc8e2412d78f646123c66e07bed0da621d72a3",
+    hash: "d8061aa53c7d383e5e0f92b7e8cde93cb2fb7ecfd66aafe5541e301d8b28b06b",
 };

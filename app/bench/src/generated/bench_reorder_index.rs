@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "5cfc7d7708c0d6a8e52436e1a2b891fa981d14181686a758047b9388a0286f40",
+    hash: "7b415a426dea896d0ceaf19bf310b36d1c4a58f83e7f4ce5f0a8721e3da581a4",
 };

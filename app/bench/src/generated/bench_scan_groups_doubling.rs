@@ -74,7 +74,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "7fd44c33d2f774e69b0a53e733b0d5ba7b1433cd64ff97c281ac6220a8700ce1",
+    hash: "6a71dab149c21425e71ce17185d589f9c7ba8c2ead3932082de798e3330113e8",
 };
 
 static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
@@ -87,5 +87,5 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "1a16caa00b56390795470cebb21993ca5508e2f6e33d1e182877a85bb8736498",
+    hash: "c09fb346eab7681bffe613d299a2a7a5638a48914b0f3f6df1bda0eae01a1121",
 };

@@ -87,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "04faaf54d577b908823d28b0fef02934b92dcdf1aec46ee954077b45630a1528",
+    hash: "ff1b1c6727bc43311571ce016a9585f27a188bf87ab397d29e4840e57f77aac0",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -100,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "43160439cf19a5efe6b29dd8a7be31ea46468bce970d7f0beef4672f5b356815",
+    hash: "fedc99c8f0318ad3783df3ba2c2bf83343a4f218ed2d110a305d384dc3df455b",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -113,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "81cc0e880f49001ea55c8a9b6016e4956238d2569e158a7c47591eb6107983b9",
+    hash: "06c88ca1f6c2ccf1b738e608d88131c9232aaec058c4c5997351e9557438bad7",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -126,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "fd357dc03b6fbb6bad07705e4bc88d76097b84d80047745d79e811a8830b71d9",
+    hash: "3661480df7b2d49201c3eceee886f8c77e245d7d34d211ca982e9eac68b7a025",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "dd05e7db2727d21b191c6f7845196cf4c0e59acef68990194ba12180dc0078bf",
+    hash: "d556a6ec60979aee6ba4e251c601140afd1237e579f0e48b93a15a971cbf7abe",
 };

@@ -98,7 +98,7 @@ fn check(
             return Err(format!("particle {i} has the tag {:#x}, expected {expected_tag:#x}", positions[i].tag).into());
         }
         if !after.is_simulated() {
-            ended += usize::from(before.is_simulated());
+            ended += usize::from(before.is_simulated() && after.inactive);
             continue;
         }
         let speed = after.velocity_m_s.length().max(before.velocity_m_s.length());
@@ -106,9 +106,10 @@ fn check(
         worst.check3(velocities[i].velocity_m_s, after.velocity_m_s, speed)?;
         worst.check(velocities[i].age_s, after.age_s, 1.0)?;
     }
-    match counters.speed_clamps == slowed {
-        true => Ok((slowed, ended)),
-        false => Err(format!("{} speeds clamped, expected {slowed}", counters.speed_clamps).into()),
+    match (counters.speed_clamps == slowed, counters.drained as usize == ended) {
+        (true, true) => Ok((slowed, ended)),
+        (false, _) => Err(format!("{} speeds clamped, expected {slowed}", counters.speed_clamps).into()),
+        (_, false) => Err(format!("{} ended, expected {ended}", counters.drained).into()),
     }
 }
 

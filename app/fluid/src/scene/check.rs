@@ -1,6 +1,7 @@
 //! What a scene's values may be: each within its limits, and all of them together.
 
 mod bodies;
+mod emitters;
 mod faces;
 mod solids;
 
@@ -141,6 +142,8 @@ impl Scene {
         for (index, fluid) in self.fluids.iter().enumerate() {
             self.check_fluid(&check, &format!("fluid.{index}"), fluid)?;
         }
+        self.check_emitters(&check)?;
+        self.check_drains(&check)?;
         self.check_count(&check)?;
         if let Some(camera) = &self.camera {
             let squared_m2: f64 = (0..3).map(|axis| (camera.eye_m[axis] - camera.target_m[axis]).powi(2)).sum();
@@ -379,6 +382,13 @@ impl Scene {
                 rounded_up(1.01 * self.spacing_m * (count / most).powf(1.0 / f64::from(self.domain.dimensions)))
             ),
         )?;
+        let emitted = self.most_particles();
+        check.require(
+            self.capacity.is_some() || emitted <= most,
+            "emitter",
+            format_args!("{emitted:.3e} particles in outputs.seconds = {}", Short(self.outputs.seconds)),
+            format_args!("{MAX_PARTICLES} fit: give it a capacity, an end_s or a lifetime_s"),
+        )?;
         if let Some(capacity) = self.capacity {
             check.require(
                 f64::from(capacity) >= count,
@@ -387,7 +397,7 @@ impl Scene {
                 format_args!("must be {count} or more, as many particles as the scene begins with"),
             )?;
         }
-        let count = count.max(self.capacity.map_or(0.0, f64::from));
+        let count = count.max(self.slot_capacity().map_or(0.0, f64::from));
         let slots = f64::from(self.neighbour_slots());
         check.require(
             count * slots <= f64::from(u32::MAX),

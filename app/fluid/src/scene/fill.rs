@@ -77,14 +77,28 @@ struct Filled<'a> {
 }
 
 fn filled(scene: &Scene) -> impl Iterator<Item = Filled<'_>> {
-    scene.fluids.iter().enumerate().filter_map(|(index, fluid)| {
+    let fluids = scene.fluids.iter().enumerate();
+    fluids.filter_map(|(index, fluid)| Filled::of(index, fluid, &scene.fluids[..index], scene))
+}
+
+/// The points that a fluid fills by itself, m.
+pub(super) fn points_of(fluid: &Fluid, scene: &Scene) -> Vec<[f64; 3]> {
+    let mut points_m = Vec::new();
+    if let Some(filled) = Filled::of(0, fluid, &[], scene) {
+        filled.for_each(|place_m| points_m.push(place_m));
+    }
+    points_m
+}
+
+impl<'a> Filled<'a> {
+    fn of(index: usize, fluid: &'a Fluid, before: &'a [Fluid], scene: &'a Scene) -> Option<Self> {
         let lattice = Lattice::of(fluid, scene)?;
         let (min_m, max_m) = fluid.bounds_m();
         let meets = |earlier: &&Fluid| {
             let (low_m, high_m) = earlier.bounds_m();
             (0..3).all(|axis| low_m[axis] <= max_m[axis] && high_m[axis] >= min_m[axis])
         };
-        let earlier = scene.fluids[..index].iter().filter(meets).collect();
+        let earlier = before.iter().filter(meets).collect();
         // A hair nearer: f32 is not exact either.
         let from_solids_m = (0.5 - WHOLE) * fitted_spacing_m(scene);
         let is_near = |solid: &StandingSolid| {
@@ -93,10 +107,8 @@ fn filled(scene: &Scene) -> impl Iterator<Item = Filled<'_>> {
         };
         let solids = scene.solids.iter().map(StandingSolid::of).filter(is_near).collect();
         Some(Filled { index, fluid, lattice, earlier, solids, from_solids_m })
-    })
-}
+    }
 
-impl Filled<'_> {
     fn for_each(&self, mut visit: impl FnMut([f64; 3])) {
         self.lattice.for_each(|place_m| {
             let is_free = |solid: &StandingSolid| solid.distance_m(place_m) >= self.from_solids_m;

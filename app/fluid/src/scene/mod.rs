@@ -6,6 +6,8 @@ mod change;
 mod check;
 mod dfsph;
 mod domain;
+mod emitter_shapes;
+mod emitters;
 mod error;
 mod explain;
 mod faces;
@@ -40,6 +42,8 @@ pub use bodies::{bodies, body_mass_kg, first_body_states, surface_points};
 pub use change::Change;
 pub use dfsph::DfsphSettings;
 pub use domain::Domain;
+pub use emitter_shapes::{EmitterTables, drains, emitter_states, emitters};
+pub use emitters::{DrainSettings, EmitterSettings};
 pub use error::SceneError;
 pub(crate) use explain::shortened;
 pub use faces::{Face, Faces, Slip};
@@ -84,7 +88,7 @@ pub struct Scene {
     #[serde(default = "default_gravity")]
     pub gravity_m_s2: [f64; 3],
     /// Slots for particles, where their number changes while the scene runs; those that it does not begin with wait
-    /// for particles that are activated. Left out: as many as it begins with, and their number stays.
+    /// for particles that come. Left out: as many as it begins with, and its emitters emit in `outputs.seconds`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub capacity: Option<u32>,
     /// The box that holds the fluid, and what is at its faces.
@@ -95,6 +99,12 @@ pub struct Scene {
     /// Solids that it flows around; none: no pass, no buffer, no code.
     #[serde(default, rename = "solid", skip_serializing_if = "Vec::is_empty")]
     pub solids: Vec<SolidSettings>,
+    /// What fluid comes from while it runs; none: no pass, no buffer.
+    #[serde(default, rename = "emitter", skip_serializing_if = "Vec::is_empty")]
+    pub emitters: Vec<EmitterSettings>,
+    /// What fluid goes to; none: no pass, no buffer.
+    #[serde(default, rename = "drain", skip_serializing_if = "Vec::is_empty")]
+    pub drains: Vec<DrainSettings>,
     /// Solver settings.
     #[serde(default)]
     pub solver: Solver,

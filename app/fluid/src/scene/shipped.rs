@@ -7,6 +7,8 @@ const SCENES: &[(&str, &str)] = &[
     ("dam-break", include_str!("../../scenes/dam-break.toml")),
     ("double-dam-break", include_str!("../../scenes/double-dam-break.toml")),
     ("falling-ball", include_str!("../../scenes/falling-ball.toml")),
+    ("faucet", include_str!("../../scenes/faucet.toml")),
+    ("fountain", include_str!("../../scenes/fountain.toml")),
     ("falling-balls", include_str!("../../scenes/falling-balls.toml")),
     ("calm-pool", include_str!("../../scenes/calm-pool.toml")),
     ("martin-moyce", include_str!("../../scenes/martin-moyce.toml")),

@@ -26,6 +26,13 @@ pub(super) struct Pose {
     pub rotation: DQuat,
 }
 
+impl Pose {
+    /// Where nothing was moved.
+    pub(super) fn standing() -> Self {
+        Self { time_s: 0.0, centre_m: DVec3::ZERO, rotation: DQuat::IDENTITY }
+    }
+}
+
 fn turned(turned_deg: [f64; 3]) -> DQuat {
     DQuat::from_scaled_axis(DVec3::from_array(turned_deg.map(f64::to_radians)))
 }
@@ -207,8 +214,7 @@ impl StandingSolid {
     /// The solid before anything moves.
     pub(super) fn of(solid: &SolidSettings) -> Self {
         let (shape, half_m, extent_m) = halves(solid.shape());
-        let standing = Pose { time_s: 0.0, centre_m: DVec3::ZERO, rotation: DQuat::IDENTITY };
-        let pose = motion(solid).0.first().copied().unwrap_or(standing);
+        let pose = motion(solid).0.first().copied().unwrap_or_else(Pose::standing);
         Self { pose, shape, half_m, extent_m, cavity_m: cavity_m(solid) }
     }
 

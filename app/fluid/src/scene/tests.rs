@@ -79,6 +79,12 @@ fn setting(field: &str, value: &str) -> Vec<String> {
             None => "solid=[{ keyframe = [{ time_s = 0 }] }]".into(),
         });
     }
+    if field.starts_with("emitter.*") || field.starts_with("drain.*") {
+        let bodies =
+            "block = { min_m = [0, 0, 0], max_m = [1, 1, 1] }, sphere = { centre_m = [0, 0, 0], radius_m = 0.2 }";
+        settings.push(format!("emitter=[{{ {bodies}, keyframe = [{{ time_s = 0 }}] }}]"));
+        settings.push(format!("drain=[{{ {bodies} }}]"));
+    }
     if field.starts_with("fluid.*.sphere") {
         settings.push("fluid.0={ sphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 } }".into());
     }
@@ -166,6 +172,12 @@ fn the_table_has_every_field() {
             "solid=[{ box = { size_m = [1, 1, 1] }, thickness_m = 0.1, open = \"x_min\", color = [1, 0, 0] }, { sphere = { radius_m = 0.2 }, centre_m = [0.5, 1.5, 0.5], density_kg_m3 = 500 }, \
              { capsule = { radius_m = 0.2, length_m = 0.5 } }, { cylinder = { radius_m = 0.2, length_m = 0.5 }, \
              keyframe = [{ time_s = 0 }, { time_s = 1 }], repeat = true }]",
+            "emitter=[{ radius_m = 0.2, centre_m = [0.5, 0.5, 0.5], speed_m_s = 1, end_s = 2, lifetime_s = 1 }, \
+             { width_m = 0.3, height_m = 0.2, speed_m_s = 1, keyframe = [{ centre_m = [0.5, 0.5, 0.5] }, \
+             { time_s = 9, centre_m = [0.5, 0.6, 0.5] }], repeat = true }, \
+             { block = { min_m = [0, 0.9, 0], max_m = [0.2, 1, 0.2] } }, { sphere = { centre_m = [0.5, 0.2, 0.5], radius_m = 0.2 } }]",
+            "drain=[{ block = { min_m = [0, 0, 0], max_m = [0.1, 0.1, 0.1] }, most_m3_s = 0.1 }, \
+             { sphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 } }]",
             "solver.max_speed_m_s=5",
             "solver.neighbour_slots=64",
             "solver.pbf.coarse_correction=true",
@@ -185,6 +197,8 @@ fn the_table_has_every_field() {
             dfsph: DfsphSettings { coarse_correction: Some(true), ..DfsphSettings::default() },
             ..scene.solver.clone()
         },
+        // Which a scene with walls does not have.
+        drains: [&scene.drains[..], &[DrainSettings { domain_exit: true, ..DrainSettings::default() }]].concat(),
         ..scene
     };
     let mut seen = std::collections::BTreeSet::new();

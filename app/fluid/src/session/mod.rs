@@ -19,7 +19,7 @@ use crate::boundary::solids::solids_params;
 use crate::drag::{Drag, DragPass};
 use crate::measure::{Sample, Stats};
 use crate::particles::ParticleSet;
-use crate::scene::{Scene, Update, poses_before};
+use crate::scene::{Scene, Update, emitter_states, poses_before};
 use crate::slot_changes::{DrainBox, ParticleBlock, SlotChanges};
 use crate::solver::pbf::{self, IterationWeights};
 use crate::step::Recorded;
@@ -180,6 +180,8 @@ impl Session {
         for recording in &session.init {
             session.engine.run(&[*recording], &[])?;
         }
+        // Those clear them.
+        session.write_emitter_states();
         Ok(session)
     }
 
@@ -321,6 +323,13 @@ impl Session {
         }
     }
 
+    /// Emitters go on as if they had run until now.
+    fn write_emitter_states(&mut self) {
+        if let Some(states) = &self.recorded.emitter_states {
+            self.engine.write(states, &emitter_states(&self.scene, self.simulated_s()));
+        }
+    }
+
     /// Leaves behind what does not fit the scene's settings of what those of `before` left.
     fn go_on_after(&mut self, before: &Scene) -> Result<(), GpuError> {
         if before.solver != self.scene.solver {
@@ -392,6 +401,9 @@ impl Session {
         self.engine.adopt(&old.engine, &self.init)?;
         self.steps = old.steps;
         self.since = TimeBase { steps: old.steps, simulated_s: old.simulated_s() };
+        if old.scene.emitters != self.scene.emitters {
+            self.write_emitter_states();
+        }
         self.go_on_after(&old.scene)
     }
 

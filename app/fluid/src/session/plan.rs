@@ -65,7 +65,7 @@ impl SessionRecorder {
         let (particles, count) = match source {
             ParticleSource::Scene => with_count(sample_lattice(scene), scene),
             ParticleSource::Given(particles) => with_count(particles, scene),
-            ParticleSource::Count(count) => (None, count.max(scene.capacity.unwrap_or_default())),
+            ParticleSource::Count(count) => (None, count.max(scene.slot_capacity().unwrap_or_default())),
         };
         let recorded = record_count(&mut resources, scene, count);
         Self {
@@ -162,7 +162,7 @@ impl SessionRecorder {
 }
 
 fn with_count(mut particles: ParticleSet, scene: &Scene) -> (Option<ParticleSet>, u32) {
-    particles.fill_slots(scene.capacity.unwrap_or_default());
+    particles.fill_slots(scene.slot_capacity().unwrap_or_default());
     let count = particles.positions.len() as u32;
     (Some(particles), count)
 }

@@ -92,5 +92,5 @@ static FIND_CONTACTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/find_contacts.compute",
-    hash: "d1d50c502056b24f2f97f5fbb21317ef5e9e96f51d4b6eea26585189ab7bc639",
+    hash: "f91dbaa8327f424c9306e5d4b2df269ce03a5b0fff45486b0132df7cda694e8d",
 };

@@ -83,5 +83,5 @@ static GATHER_REACTIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/gather_reactions.compute",
-    hash: "0144b47cb42270382c7820fe621b791c142f3a49962f4e7c3151d1274d343b5c",
+    hash: "c84c1cd09b7ccbc863f993f3765ca9d2e3c46db16a07e49c6798d36dd7490066",
 };

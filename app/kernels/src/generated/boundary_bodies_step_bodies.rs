@@ -96,5 +96,5 @@ static STEP_BODIES: Module = Module {
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "277fca38b3266ac568477fffc6df83e26bbeb7601fe8f4a8fc284f9899d952d5",
+    hash: "cb83c3db44115d0b31d78697141033cdf636d636201cccb4aaa6a2609859f7ba",
 };

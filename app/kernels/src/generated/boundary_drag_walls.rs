@@ -80,5 +80,5 @@ static DRAG_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/drag_walls.compute",
-    hash: "899b47d7787c714e9689839d6e2b7b6794f30476890e5079368e42d616b3f5d8",
+    hash: "beab3841dbad90c3f7838dc77d029bf3434dbd19656bf063ae5a8c7582c91701",
 };

@@ -139,7 +139,7 @@ static COLLIDE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "09825037f5a4f66cd4b4ae8e469c6885c6b0d1c3120a162bce1765414365ba99",
+    hash: "1c24c35b854358c57c7d61353856d6d6924e77247f6cd50863cd9713bcc5d20f",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
@@ -152,5 +152,5 @@ static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "52dc9da8bf0c2e2da050ba5903e97a044289db2f3fd0e6fbd1a4b854ee9ce9f6",
+    hash: "9f33a31bf590005fe647790475f2916baceeb49038753ae6723aa07cf1c95f28",
 };

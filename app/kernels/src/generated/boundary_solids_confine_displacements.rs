@@ -157,7 +157,7 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "686656721987c42d0c52414dd9da9e2436075ea341c3c8554defbcc6ae28c7b5",
+    hash: "accb4155ba936c9fa74e81d540673ef4fa60b852a427c12dc229b55bed34bffe",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
@@ -170,7 +170,7 @@ static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "2f20a1710df83a03236c681bfc0172af2ef6d73584138631fcfe60eb06d97415",
+    hash: "e6ea0cd67a79ab2066125ffb95630588d1aaae5551b95e88f6d2e1ed56c39bbf",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
@@ -183,7 +183,7 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "79ff48d91d053b8c9759d66620e1eb6e2c4a32d01ffb0291ac4c401a86b129f1",
+    hash: "37cd0e0bd522c10e3ecb1322c71c30b875662e7ccce21e4e12fbe1d260ff2c7f",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
@@ -196,5 +196,5 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "da733ab40d9dde28b537eaf974e8f3282c26be1aba9816aec4448193a6f0548b",
+    hash: "1dc8a6dd9be3b2c18223ceafb38f2580c693c4674874514b4ffda9fe06a1c896",
 };

@@ -64,5 +64,5 @@ static MARK_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/mark_solids.compute",
-    hash: "e1b0efbcb597b65505e8bc2611b8afc692544d6da3032b91eb3fb692cbd4eb6a",
+    hash: "aefc4014314742edfae46a766f279e5ea93329973472462ec7da625fd25fb06a",
 };

@@ -8,8 +8,7 @@ use crate::{
     Uniform, bind,
 };
 
-/// Where solids are at a substep's end, and the boxes around them. Between two keyframes one moves evenly and turns evenly
-/// around one axis (a quaternion's slerp), no more than a quarter of a turn; before the first and behind the last it stands, or begins again.
+/// Where solids are at a substep's end, and the boxes around them (motion.hlsli).
 #[derive(Debug)]
 pub struct MoveSolids<'a> {
     /// `StructuredBuffer<Solid> solids`.
@@ -72,5 +71,5 @@ static MOVE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "91a9fa4bfef9de5c6707e5b59c8c71080b9373262db11c9c09dfe0d7b9e3a498",
+    hash: "3a96fc30acb5d734bee7d852b4f039dda19f75f0876abaec33ebb5df7ff359b1",
 };

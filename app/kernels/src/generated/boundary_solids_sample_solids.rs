@@ -89,5 +89,5 @@ static SAMPLE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "bd401f8a2bab1f6ade6ba4a79fa099e649e9eafb9e73265f5a4a6fb5adadbbb9",
+    hash: "3dfa7436234a370bd5afc3864ee82dd2ef32fc48557e99fd32d8f13bb8b8c123",
 };

@@ -72,5 +72,5 @@ static APPLY_FIELDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/apply_fields.compute",
-    hash: "6d57e9098ab8c5bac33aff6ccc72573b748345711350a08a1c9d13aa2f890c05",
+    hash: "11341e404aed16719d1701be0882a190e20443a77c3358a1879a941c6d4ce4f9",
 };

@@ -102,7 +102,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "6eddc733e07bb73f6ffca3abb332a5dcd60150f1a38947437a999f55d4e0f39e",
+    hash: "72d8c015bd291097ef8767c58d0509d9f43a72e3ad5d2a9be6cda732d501cfcf",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "ef95ff5b69606c3d288dc1a291531e0d01c8372a31b1f7d467dcce514a8e35b4",
+    hash: "af7d84b8f2e0634b8158ebbf2303af06517f933a141f0abb56565a5f985506e6",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "000a0673a4bfdaf1aa9b244f5d31938ae34a30c2e8abae0074ab88c5664ba7d2",
+    hash: "08333e983eff2e5adca0ba02de5ccd0e09ae885d91b4e96d28594d9777536f50",
 };

@@ -100,7 +100,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "6df9aad6dc206a51718f1cbbbd7d8208d73e0d61153c7bbc4ce1943ac7e081ad",
+    hash: "2a6b52a54d1a5ff025e9dcab1034ee156c3005f07a4e25ee5f8bc7c9c5c71eb1",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -113,7 +113,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "0b5dfa58f5bc9a093fcd33cacbb8b7ef753786d5c351ad442df6adbd222a82db",
+    hash: "738f4e478bd9dceb712809a91318fc9c76c0fb08879800784a464ce44980777a",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -126,5 +126,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "6e723be09ef15e0ba9b905722ead096f32c7146e9b3ccc088b485ebfb07dbc1e",
+    hash: "4e3c5d67fb5cdb1a904577df44238fe064d66d7e11daaedb90faec93a00bcf7e",
 };

@@ -105,7 +105,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "291e99a5b2c7417a08fc6dae05ba3d47dc738c6982d9bb8856f30af862f0191e",
+    hash: "80f17504d9d95fa9ad4e141ede9c642b3ffe323e41eb26ab59a5e8d4b33b565d",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -118,7 +118,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "209269324359b6910dbc9804797199dabcc8e4b86fefc74d68708d16df4bf9af",
+    hash: "689b8aa0bc1c65aa1e522e407cf87537bd56e02130f77ff0626503e7688e1dc3",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -131,5 +131,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "11ed9121721fc1579aa09720f9b63308fb8f19eb438fa864f6f8d13ea2182e13",
+    hash: "1c3a2e0497a4d401098d30e83d9284a5b388ddea6e708ed7a7db949c2e645f8c",
 };

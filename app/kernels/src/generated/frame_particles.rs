@@ -65,7 +65,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "0565db2e2ce08dac518002dbb6a1f20b26ae4dafcfee4c9470e43046a92084f2",
+    hash: "0edce634bde1228af823bfbe5f31f9942a6e00ce0e7780a298ef3bcef8ed2810",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "64c3588cbbd3e676fd000c4fb528ceee06d4fe2ce7aa0b959b3628bc79b5bddc",
+    hash: "c8ebb515632c84b1e50fd1848407670df692e8912ea22c2cfa632a2d1b8ac215",
 };

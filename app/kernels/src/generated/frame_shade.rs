@@ -183,7 +183,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "304d11152487b06cf8e24799ba65131698c4b2f6a2cc2c6fe01b293f3301fb5c",
+    hash: "9b7f634d6566a96ebe12559b82c4b58b9ab5ad8933c43064e16852557e77b43e",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "e971ff3d9685d6ede234256dee152b2b85f26e09749a80afcc90c8fd6688f007",
+    hash: "d64286b151f3f546095a77b9f58ea74f42c8f965a58a12375087b2623e7484d6",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "09828863656a4e323d9abeeca435cf68c328622dc3f2709c72e6a340f48159e5",
+    hash: "e4dfa5bfbe30bb7946d6b211f4c0b84a5417591f8bbf6defbf25ad9e8da60dac",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -222,7 +222,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "815dcbc8853b1e55145095e33b708932900e02453a1cb52658a5ef2a8b628cc5",
+    hash: "da8987d1fc074eaff74b4891811d02a9a27f784519d35c8b190d0e40e35bf075",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -235,7 +235,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "9bb0a7936bceeb0ad3f00be64d9757b39b2127e6125e04ed27b51a1886374b0d",
+    hash: "703de1a84bbb0c0a0d48c18a105a4b401e9e772585a9b5221c5e49c97e186742",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module {
@@ -248,7 +248,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "73befc58542d05101b3a7ee6332b1551fc250f706c6f034c6162a8574167266f",
+    hash: "a8fe51ccc106460d130de1474a4ea9f4284fbacf2dd77f4eaa869e2abb80a314",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -261,7 +261,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "daa890f2b613327e3782a39679abf2bff980f21cfd31a7dc019cdedca48bf6ae",
+    hash: "c244e12c6dd422b31844a0c6046edb4378472968d371faeee7ceb1a1c3432e3a",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Module {
@@ -274,5 +274,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "55691d3d11a5871340513a59063baba0995029af11c9b45b1ba58283deb3e38c",
+    hash: "3a98a651d46f6a17e2888a817a23d2c37e387263b4d912357b13f1b474691eb1",
 };

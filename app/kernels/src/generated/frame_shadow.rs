@@ -58,7 +58,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "41eafeefc28f94a8300f9717689ad74e1d40e50c7e7dc1eb450a2cec05033680",
+    hash: "4b6b41274bbcd4027de2596ec00435b9042c778053d0ad3a3ab335abe9a43cc3",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "628db6270b27558fa7a4d24398c2a70d8d2b3d8a6ec6f51cd4223d1ad9058367",
+    hash: "9b1911ed07118ec51a7e96997cd349c9bbdf060a94f1e2109becc40b170a7d79",
 };

@@ -63,5 +63,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "24ad278f93c90702ddaa07e9581daeaa9c3bc9de51d2cfd8ebb517f95ae304b4",
+    hash: "cd312cdb5e3b0ab05660b52e0a2af56c08d7fccb4999b39cf26665357b3b2b67",
 };

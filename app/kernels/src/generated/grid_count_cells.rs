@@ -93,7 +93,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "7203be4fa696aea1f22a5597cfbddc45f68288c1462e63be38785064cd4def3d",
+    hash: "40f6a96cd0dba6daf55cbae94a652d96b2e338d1a6f6e897a8dac7f4f24ea963",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "0646cf5e5e6ee124d788a24765893c623510ffa575d5b516a076f49600cbbef5",
+    hash: "8a741300960e1fd4fae93ec570372d1eeed0bf003c7fbb06f0701c49720669e2",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -119,7 +119,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "3deeda6605f1fc8356c8820e171244c5ee5c537054ce61d597cd866c3fe7bc1c",
+    hash: "144a6c158d3ca5e593bfcd37dbfc715f13314cc0fe26a95c5e3d09f05b160dfe",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "c19d46cc4c9f0fb124acc554d0b526f62796c8e1b3bfa05db403dfd614c8edee",
+    hash: "3beb0e8a078504feef2dcfaaa0b944d8fd5040cb4473f5801f01cd67232d29d8",
 };

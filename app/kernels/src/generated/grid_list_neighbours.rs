@@ -132,102 +132,102 @@ static LIST_NEIGHBOURS: Module = Module {
     name: "ListNeighbours",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15128 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15120 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "13e6aa3de99a185ad9458c9e99e33024e4274a00fbd7ee336004be76fc3cca92",
+    hash: "867a920abd0ec9ac775948b4d0b645221fa49783735d8e421c6df5a27f8a9d50",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15128, bytes: 14780 },
+    spirv: Spirv::Packed { pack: PACK, first: 15120, bytes: 14772 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "07b33921f422cd00eeeaa88eee58add12436f0d6a7ead4580402468175120023",
+    hash: "5297309b51e445b67fb34264e1b3ff48b779faafcf8d9bf02dfe16f7b41ea0a3",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29908, bytes: 17196 },
+    spirv: Spirv::Packed { pack: PACK, first: 29892, bytes: 17188 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "b0775d7c0aac77f4b67f0243810c5e81f9b7b49bce7a0bef2364b5f6e897bb84",
+    hash: "2b2f3cf6a864b9fabd1c0f5cc55c8246ce3158488cbb09ed4a6b1cdf374ea80a",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 47104, bytes: 16848 },
+    spirv: Spirv::Packed { pack: PACK, first: 47080, bytes: 16840 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e6d0433ccc7c6a19facf9367217debea581138f20cd7c9918a9788b1be51e8cf",
+    hash: "627e6bdbd481b6e603a75025cab6cca56184276da134b476533671e095f6dd65",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     name: "ListNeighbours+WRAPPED",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 63952, bytes: 18112 },
+    spirv: Spirv::Packed { pack: PACK, first: 63920, bytes: 18104 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e7d9c11d861e9f88a0e5ccb40106ec83f0427f4779f04c0bbf35e107e1fbbac6",
+    hash: "55629d12ea14b03be50ccd39838484dd5ef5b304a64dafa6fc625152cbf67edc",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+WRAPPED+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 82064, bytes: 17764 },
+    spirv: Spirv::Packed { pack: PACK, first: 82024, bytes: 17756 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "bd3d8866ecca38afde10f8105474a676e825b7a5c17c89ffd56276338f016b42",
+    hash: "ca488d75d3505e5b2f1cd1631c3ae654c4d01c46c59b11290fbeacf585d479cb",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+WRAPPED+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 99828, bytes: 19520 },
+    spirv: Spirv::Packed { pack: PACK, first: 99780, bytes: 19512 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e5038aa8ba35fd6de7ab52b4f8dc921e18f4c9dd1efe2acc8d20baf985044237",
+    hash: "4c7843eace9881113eb061564b47ddbd1ce9812b673dbca82ba259620452be26",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+WRAPPED+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 119348, bytes: 19172 },
+    spirv: Spirv::Packed { pack: PACK, first: 119292, bytes: 19164 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e7c9b6d9f49134400166bfc6e1bd3575c4a99f1ddf319fd7b2e2ec1423eb6080",
+    hash: "de47277ee92922db46f191c0750d6ee4c1dcd64ac7397b84b3e1589bf14a4cdd",
 };

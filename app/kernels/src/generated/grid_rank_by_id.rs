@@ -80,5 +80,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "df30f2b23c8c6ff58308e5ef805486c3230fb6b82820b3c45d5bb140d24dec44",
+    hash: "1b2ff9f80cd34f18593b9d73abe1a3794ba38637c0bb494a23bd0910ab792434",
 };

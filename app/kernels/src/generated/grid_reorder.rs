@@ -159,7 +159,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "47cb86dc5f0e653608158cde8f6b5b6a64f00ba40fe1167c999e16eeef905a54",
+    hash: "7d73bb84d1cdcaebd52e287184dadaa452028821adcf8ced7aed0af04160dfc8",
 };
 
 static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
@@ -172,7 +172,7 @@ static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "f17d7bf26184870610c3dfef031fc933d39b70d21d1740c39000594db0cc6cdb",
+    hash: "b4f2992301502dfd8cb6a99e54e5759fb7b700c541b9b555a95aa85e29fceb6a",
 };
 
 static REORDER_WITH_POSITIONS_ONLY: Module = Module {
@@ -185,7 +185,7 @@ static REORDER_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "8ef2e57184f9effe99eb68ec2c9c572e89096c1f3dddb4c894d07669836dec9b",
+    hash: "225ebdf56294975fba6392ceda4a4b291c5f1543e42483e35966c9e6e874392b",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -198,7 +198,7 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "4bf799d3abc3822e1aac0b3a7e670c698fa844c16dacb620ac8e4c47a201346b",
+    hash: "04d2e6de0258bb81981fff7fa07194bb91beaf9e389c20ccdb2bfb04bebab3f3",
 };
 
 static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
@@ -211,5 +211,5 @@ static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "c997fbf1a4dd955cea76fabd78c1b71a1cc0edf4d5865b10189b1e9baf8e6f97",
+    hash: "675e1fc097a647084c0eb4351a434c3dd50eda7b73d39b0d6b2f7a8645fee918",
 };

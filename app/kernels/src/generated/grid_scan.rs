@@ -111,7 +111,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "7832f7f250d9b87fb3c16e48ff27c7c8b0602f42d02eea0bf9ad4d6bdbe1adf0",
+    hash: "1ed924bd24265a94e868b184fd75805495f83a6ab5d731e17f4efdf93107c029",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -124,7 +124,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "13ad2da480de694eb2cdf24a495daf16486c63b44326fb825744d1fce0f4d17d",
+    hash: "25857d5e78dfeb3ef8eb584dd18c3db6fa7174ac6db21d4ba646a42afa9e680b",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -137,5 +137,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "e2210e3f17107d197b9ef2a8a4e8944e46d13f5dfaa2d0727d0cf3fc1a9e7039",
+    hash: "38894444323891726207630f86b87e502475029ed23961a70a5bd55f2db58ade",
 };

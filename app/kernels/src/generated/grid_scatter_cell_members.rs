@@ -68,5 +68,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "7113f8f8df5ab7831f3a3775cbaf24ad9e0e79d66e248905d7a855744b6e4507",
+    hash: "e75f47cebef81b025d3ca3c3be48c75b6e6dc9e266998e4a28fa67c898c3f0ff",
 };

@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "3641cb4d9a1da0679b28bbc47b5936d774dc32ebc81422a3a60eda068481d4fe",
+    hash: "2df631893b9665c95d91aeda1a04bc3cb30df7be69576c2d02197507fc7c881e",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "98c522193c3566cf25d7d51a0a7ea250ebd3c911286c451522f95df2f5ae730e",
+    hash: "bd75f81dcd6461b6b5c8f74a6ded7624f895ac0b56e0471121dbf5f301628dea",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "e96dfde83627109f9ef8c6c599c82dc8ee10d8bc7f7dd558c5d1b656d05a8e2b",
+    hash: "f2b172181b2fcd3549a3168ff35290748de76eafa4431f1b46dca0741745c683",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "1d50e3b62ed1741c9d843f11f698aa7feb67ab0a9b03bd2d889e65d51041d9ff",
+    hash: "0f3c4f28d320ccf370e7b483e77c480ba56695a8583cb4a7404a50d30d33cc33",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "fdd611c1a223e43e65e37a396bb75f48821b49ef7c1744cb1db92a8390c5a287",
+    hash: "6bc5a98d5ea3b3444906a3ce608d35bc48951203a1dc3d15578b70e2f8c15ad8",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "f0567e9a8fbc0bd167cd656799137a2c5a68210b5199dce4cbc2cfe1ad5d4b1f",
+    hash: "1c296654ca44bd3d96dc3d323075d6ac3cc9aaa4fc86e73ec8ae3b1b1a5bdd9b",
 };

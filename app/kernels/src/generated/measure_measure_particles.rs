@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "383ad248894077f56d1e4e6c9ae6a76c84dd4ec1f42da731b4057901d6f1cbd0",
+    hash: "18684c8d5a2ace5aeb54859f4d0d170f9d68329f5843f12874d6174b99129550",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "4fbbe6b36b53639889f0c9a445b5c4d3e4bf1e5316f9e7beb6484523f41a192b",
+    hash: "f68550fa1d2bc64ff5a637f3170b3b953a59aa39e6fd8f9d5479e2a9c647dd55",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "264db3bc2548cf568190d33a0e7d7d5fb517e39d71611f8e0d8c072ca46c05fd",
+    hash: "7e62ebca3e43fe6478bb198c8b787f7183642b9c7f50b71efcb833c7bc2451cc",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "ee39f16cd8546e40fbccc13fd213606ba6577001af0e1ed5e225ca403e6ca118",
+    hash: "a68fb11cd775b35331d8acf2a5a69c767ccbe5fceb26ea8e229beaf1ba1a06b8",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d2f82eb79561a40eb285519413df3e0081eb6c7de9dad9a08d32c16286022b00",
+    hash: "0e447c9a8eceabb6bf68893cefb998ba7750b5ab0d86e33900b09762ab6abfeb",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "5c46061bd83eaf03a4c52a64a8e5f8b6b23cdf61c5aba93b187ceb5b2c9a34e3",
+    hash: "c15d3e4745e5804369edb4ab83d7ec12aef2ca1e11af9f157c2cb9f924f6e129",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7cc8628025f29e68f44de5611e438153efcaf0b5ffd710665d77c0fef4c72138",
+    hash: "7b6004955517250a4e99d7768d5cc604f32eaacdee104502e5127fb43725af26",
 };

@@ -70,11 +70,11 @@ static MEASURE_TOTALS: Module = Module {
     name: "MeasureTotals",
     entry: "MeasureTotals",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8944 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8936 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "a4018114ec2b71cb482167e664c0e376237907d5e486a4905ce9fc92812b6b3e",
+    hash: "c887f79f316ef66226d825546f85ba96f90c9a475a3e823d6c219e17b191b698",
 };

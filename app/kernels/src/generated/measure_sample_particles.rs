@@ -70,5 +70,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "ca80102e2ca05f6bd86e4e071b3892fab4d69c86b6ce81cb57a572341b6781a3",
+    hash: "7ad9258859cb4ba690d525c71935f6ccb51c4a842c47ff86b94069afd6c66f5a",
 };

@@ -14,6 +14,13 @@ mod boundary_solids_layout;
 mod boundary_solids_mark_solids;
 mod boundary_solids_move_solids;
 mod boundary_solids_sample_solids;
+mod emitters_compact;
+mod emitters_drain_particles;
+mod emitters_emit_particles;
+mod emitters_guide_particles;
+mod emitters_layout;
+mod emitters_limit_drain;
+mod emitters_open_emitters;
 mod forces_apply_fields;
 mod forces_confine_vorticity;
 mod forces_curl;
@@ -134,6 +141,13 @@ pub use boundary_solids_layout::*;
 pub use boundary_solids_mark_solids::*;
 pub use boundary_solids_move_solids::*;
 pub use boundary_solids_sample_solids::*;
+pub use emitters_compact::*;
+pub use emitters_drain_particles::*;
+pub use emitters_emit_particles::*;
+pub use emitters_guide_particles::*;
+pub use emitters_layout::*;
+pub use emitters_limit_drain::*;
+pub use emitters_open_emitters::*;
 pub use forces_apply_fields::*;
 pub use forces_confine_vorticity::*;
 pub use forces_curl::*;
@@ -254,6 +268,12 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         boundary_solids_mark_solids::MODULES,
         boundary_solids_move_solids::MODULES,
         boundary_solids_sample_solids::MODULES,
+        emitters_compact::MODULES,
+        emitters_drain_particles::MODULES,
+        emitters_emit_particles::MODULES,
+        emitters_guide_particles::MODULES,
+        emitters_limit_drain::MODULES,
+        emitters_open_emitters::MODULES,
         forces_apply_fields::MODULES,
         forces_confine_vorticity::MODULES,
         forces_curl::MODULES,

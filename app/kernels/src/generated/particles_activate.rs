@@ -117,18 +117,18 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "e86ea5544db6d7e08353c15639f763809752f34b403b38cb052e7ae14ae04b31",
+    hash: "25f95ca526b5098fa52f1cee10bc9d137405daec3a7c1bb83845967f7f6cb288",
 };
 
 static CLAIM_SLOTS: Module = Module {
     name: "ClaimSlots",
     entry: "ClaimSlots",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 3540, bytes: 2860 },
+    spirv: Spirv::Packed { pack: PACK, first: 3540, bytes: 2852 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "ee77168cdcf2659ad94f4f844bd8fdd248a2d14bcb2130d35f6407fa1a56b880",
+    hash: "fb37a63494ba0f30b9632445744fd874708f35da32f5334342c70fb8e2d039eb",
 };

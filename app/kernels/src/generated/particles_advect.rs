@@ -137,102 +137,102 @@ static ADVECT: Module = Module {
     name: "Advect",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5300 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5292 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ec58e54149c094cb11559c905a0e81963fa17c3f95df92fba476171c8d812d40",
+    hash: "d76274288f0f8c7790dc7258a7bd92fcb6ac270dd56cc2cc7a4eacb56d636dd7",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
     name: "Advect+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5300, bytes: 6284 },
+    spirv: Spirv::Packed { pack: PACK, first: 5292, bytes: 6276 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ae7c19b2f32bfa968436174f184feeea4f06e8574802bdaab7c97d97409b2305",
+    hash: "f1d390c74183499e84685dbb36bc0370b3d984ba6c03749101cc08f3b4c7ef17",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
     name: "Advect+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11584, bytes: 5800 },
+    spirv: Spirv::Packed { pack: PACK, first: 11568, bytes: 5792 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "b0c831a1943dcbca20f40ec36de44135bc2a228adc88b5a5822bbd7714a9970d",
+    hash: "c485f8ef2f7a1436b75b26b5bdd9b0b810127b0731920673a23f20b1c3f8cad8",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17384, bytes: 6768 },
+    spirv: Spirv::Packed { pack: PACK, first: 17360, bytes: 6760 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "f60c6fc68e24773c82df35c6b7467b077bd1d6a481767ee58c22a7e1a8b16187",
+    hash: "9ec8413d949efbe29228b1f8586037a972ca0202b7668bda2d7824ed91bbabff",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
     name: "Advect+ACCELERATED",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 24152, bytes: 6268 },
+    spirv: Spirv::Packed { pack: PACK, first: 24120, bytes: 6260 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "acda4e118f5a04f2062469ccac028243938740cf9368f6ceaa20f709ee8e6d63",
+    hash: "c9c62a8bfe05f8923b5b99f38c7f59030e54d1a8296bf789eba482b9e0e8c15d",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30420, bytes: 7236 },
+    spirv: Spirv::Packed { pack: PACK, first: 30380, bytes: 7228 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "28b8003769fc3d1e58ce226c74bafb3b3acff0b224873366e8a7d73d10f597c7",
+    hash: "eaea9f349c3de223f03b36a7f54a7b53a524bec8be4d3301f94afe756e6a8abe",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     name: "Advect+ACCELERATED+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 37656, bytes: 6752 },
+    spirv: Spirv::Packed { pack: PACK, first: 37608, bytes: 6744 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "0553f9c363e92b2b903f4f16f6dc40797f32a2346002a5c2196e93f0e7dd55a7",
+    hash: "e95b55bd82c7f1a9e9e83555b939d17cdc052b394d933641412c341c03aa40ff",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 44408, bytes: 7720 },
+    spirv: Spirv::Packed { pack: PACK, first: 44352, bytes: 7712 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ecbe1af100d1d47d3c0256bfac96af9f3da99d0e3b703c4832291890d969226c",
+    hash: "61dabf6e4ceff025e0457c79ff7014f514b74d82febc334517c9f750a658df6e",
 };

@@ -53,5 +53,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "46977b2d9588b6c630eeb5640eb78c4a5f28ffd9b9bd42b44d65a7ad6596aefa",
+    hash: "ef318714284c45782d3f139dd76947a91cc2c48dc6f5ff7979f512acc0bab1f2",
 };

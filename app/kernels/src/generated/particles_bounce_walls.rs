@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "b45edbabce5685f5982f3a43df0c50180a1b75a911d3a33b76ce960d40a6e348",
+    hash: "944163cc8e25afbfe890c9d48e28607baa69fe188b6a65025bf0a912915d6d19",
 };

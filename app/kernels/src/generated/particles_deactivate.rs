@@ -71,5 +71,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "44520fb01e4aafc108786d8d44d135a635ea1d38e0bd3eaa287418795d72e391",
+    hash: "3fe788b918281f09a6233724ba0b1ce0ed78a290bc27762138ff2af62114dbf8",
 };

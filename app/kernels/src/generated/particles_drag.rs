@@ -69,5 +69,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "3af4c65ba054fc9edb7eacfe840460ade2479f42846226cfa6288a3b8269bcae",
+    hash: "e1fd5338ebb6e92813f2754fd839b9f05b95ea0ed7dc9701ff4f5e475488e929",
 };

@@ -48,5 +48,5 @@ static END_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/end_step.compute",
-    hash: "35393260bb1e22814ba562a763b3ed981490016fe0f0bacb7588f9d827316493",
+    hash: "f7d05cf4471ee62a05e532953a0ab72b3ef0e03121bda679183e9f9d5f7d1d87",
 };

@@ -69,11 +69,11 @@ static LIMIT_VELOCITY: Module = Module {
     name: "LimitVelocity",
     entry: "LimitVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4436 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4428 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/limit_velocity.compute",
-    hash: "6339907e9771e9dfd9d59a0f4267eff917b33483ae981276e5f4f29bbda8a215",
+    hash: "8d47c49789d429738e1618492fa23e26f36fbfcb3d32f7b64cd90d0e845bf43c",
 };

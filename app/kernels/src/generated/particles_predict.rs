@@ -91,50 +91,50 @@ static PREDICT: Module = Module {
     name: "Predict",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5392 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5384 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "fea2ae3778f4dc64eab9f28c6b1c56f9c7cb86574659594454b902e92e069c0b",
+    hash: "a54cd4eeff4522c5ac6b2a2958a2038fd695c3c90b1d382952293c30ebe9c84f",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
     name: "Predict+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5392, bytes: 6360 },
+    spirv: Spirv::Packed { pack: PACK, first: 5384, bytes: 6352 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "28d4a0c0037db7f496dcfa43f4dfa7be143800b9e9aa2a14e07cb9822455bee1",
+    hash: "e5f27e410bb6e4ad88c8c1bb3cf3c0750bfef969756addf8861c28a1c8b1fc9d",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
     name: "Predict+WALLS",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11752, bytes: 5876 },
+    spirv: Spirv::Packed { pack: PACK, first: 11736, bytes: 5868 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8dedb7f86fd7683a1c2a7f5601c7b06c8c49da4c0069640ed0cfa764d56719db",
+    hash: "d4c7bdb3cd7e9dc0b6e56f94f6f5ce6cf5a8af77f03faec4644d4f864675ce85",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Predict+WALLS+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17628, bytes: 6844 },
+    spirv: Spirv::Packed { pack: PACK, first: 17604, bytes: 6836 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "7fd13df7d769a45319b64555d156e0ecf148e81f665ee652534981b72a9ce2ed",
+    hash: "c40a6402cad4ba3c3b0787c468972601ea4b41a3490dea3d95ccf333612531ad",
 };

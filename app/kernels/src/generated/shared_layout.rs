@@ -80,7 +80,7 @@ const _: () = {
 pub struct Velocity {
     /// `float3`.
     pub velocity_m_s: [f32; 3],
-    /// since the particle began, where the solver counts it
+    /// since the particle began, where the solver counts it; below 0: what is left of its lifetime
     pub age_s: f32,
 }
 const _: () = {
@@ -475,16 +475,16 @@ pub struct Counters {
     pub capacity_overflow: u32,
     /// that were longer than an explicit solver's limit
     pub long_substeps: u32,
-    /// `uint`.
-    pub reserved1: u32,
+    /// particles that emitters put into slots
+    pub emitted: u32,
     /// of pressure solves that end by their residual: that hold the density
     pub density_iterations: u32,
     /// and that hold its change
     pub divergence_iterations: u32,
     /// such solves that did all iterations there were and had a residual left above tolerance
     pub unsolved: u32,
-    /// `uint`.
-    pub reserved2: u32,
+    /// particles whose slots drains emptied, or the end of their lifetime did
+    pub drained: u32,
 }
 const _: () = {
     assert!(offset_of!(Counters, neighbour_overflow) == 0);
@@ -494,11 +494,11 @@ const _: () = {
     assert!(offset_of!(Counters, crowded) == 16);
     assert!(offset_of!(Counters, capacity_overflow) == 20);
     assert!(offset_of!(Counters, long_substeps) == 24);
-    assert!(offset_of!(Counters, reserved1) == 28);
+    assert!(offset_of!(Counters, emitted) == 28);
     assert!(offset_of!(Counters, density_iterations) == 32);
     assert!(offset_of!(Counters, divergence_iterations) == 36);
     assert!(offset_of!(Counters, unsolved) == 40);
-    assert!(offset_of!(Counters, reserved2) == 44);
+    assert!(offset_of!(Counters, drained) == 44);
     assert!(size_of::<Counters>() == 48);
 };
 

@@ -67,5 +67,5 @@ static APPLY_GRAVITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_gravity.compute",
-    hash: "9e5cd4cabb60162b7897b4818d6f3a50236f9b5beb28b44d03ed0b363e32b3bf",
+    hash: "e9dc615c94f8d2bf39e41c64eb72cc8d89546bbcaa16901d17880eb3819786a1",
 };

@@ -221,7 +221,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "cf51dcaef2bf766ec039fe2da9a42c7d0f62b45f7d622313d4bb0a5540e87e7a",
+    hash: "05316132b2f3e0a5ef989fb3482c9ed1780259899c87f3d86574430a705967e1",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -234,7 +234,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "7181881fd0aaa34bdcc05761ae775cbb2f7c296c96edb488e3702f4123c0e1fc",
+    hash: "f79bf175235aa0f016a9e7b6dffba89c304ad8ed8e3f5ce68114a57854696b97",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -247,7 +247,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "3fc1b47772c98dbcbb1c7ce7e0fb05a2771996d090b0a9511681d76481b8d053",
+    hash: "57d445de750f0408dae87ccaa67c5283ddf8d5e95a11680d27e7ea0881a7aba9",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -260,7 +260,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "c2ee788f6de6efe3b675d45fe11ed25a5c9e0000bb040e0d594f922cbb97e6a7",
+    hash: "4e46896381d1cb3659bc4d1521dba8337531831feeb24650fac1096be5f5ed36",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -273,7 +273,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "5723d0dba7f1dbd7339df79e94376b097c158ca61834b72caf19585bc2b0f45c",
+    hash: "9cce04f50ffc9efc508c79e5216376f267cad15a96090fd39e8050fb4f92b182",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -286,7 +286,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "f93159dd056e649f425497c3de29afcd79ac58fccb72e2d00c3aab751fe1a990",
+    hash: "2db70c7ebd762b7ffd74f7f16977bc52937c9c01c1042a2790d192e5ae732d57",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -299,7 +299,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "1889963cda30594f5e358ad857f679d4eaeba94280a4ee8c66b0c464a61a01e7",
+    hash: "3f7c01af2e8b5aecbc3a00aae09d1d3d0d1cbe3030a55b6f431634a0292d47ee",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -312,7 +312,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "4739e34b40618ee9f92f2bf19694e20eb67f7883911c668e2d40d57b3406464c",
+    hash: "eaa9c9ff8c3df4ac12a2f6db0dbbfd3b2d4aaca76a8f3dde36134d7f6b06eefe",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -325,5 +325,5 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "3bd5c4ca1763adcf1fa0972ef171398f8e0e6e88bd1e3cf28189af906fa338d9",
+    hash: "99acfe404ffd9e8282a7af02e50e33655b9098976d23734df1f1a82fcf66fccc",
 };

@@ -82,5 +82,5 @@ static CARRY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/carry_pressure.compute",
-    hash: "f52b521e5e115d3a2376bfb26cd3462184a944288a08e78199f1270972ef104d",
+    hash: "f251ee3f0439667f2a8ff6bbd0e7456a12ed60ffffda61a9cf2e3198f746f977",
 };

@@ -145,7 +145,7 @@ static RESTRICT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/coarse_pressure.compute",
-    hash: "e240e483e85e0ab14e51ec77f6ea8c17aa540d5cb30b03c1c9575bb80bc40d8e",
+    hash: "bc10e43946f9dbe863e98b9450d8ed0a760101a4ac2a6d4b1cbcd05cba7ce613",
 };
 
 static PROLONG_PRESSURE: Module = Module {
@@ -158,5 +158,5 @@ static PROLONG_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/coarse_pressure.compute",
-    hash: "21160728f4906d976e44318f744ecfd8029e20e3b366843c7634da06bf9e7ed0",
+    hash: "e63eef77ba2a22408ade7acececada7b84c49558fcfb8386fc4ccb3d76ef7577",
 };

@@ -214,7 +214,7 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e8ea27a2c0cd0046dc5c81fb0959e340ab9901b2a4f94669d59807e79814c9bd",
+    hash: "a143ec8ba7d8bde0b079d3edaa493db3484893556df9165cf43436858fe5138f",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "dd489b56156672d298a911a12317024eba080e0c39f50edac0cf3f52a4f4cf5a",
+    hash: "860dd9468334114d33fd60f6e7efb91aab1677305902dccaa193f127c900280c",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "ee8b829484edda91c7e71393a875972ebe23e36928dd39856a9d55c8faa37f1f",
+    hash: "5114c131e93229e53f360925de7c200a0a600b7390c81abb422bdcd351c682ee",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
@@ -253,7 +253,7 @@ static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e40d4694bb0d1c204ae44aa72d3a670bdb3d829012367488ee7659e3bd8115d0",
+    hash: "8e09675de2ea2ff5a50769737ab6191256ac376dcda2be2e615154c04583fb30",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b3733bdf5e64c2e3c8814d238a1e1e882970887f8223b4f4dd894c65c7e0fd94",
+    hash: "f39762fab265c6677b0463b99aa1e7ebc4bbcc1abe568ed85e6a6fba997ada12",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -279,7 +279,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "27c7b8496dc3a33d8a2490b3669bff3a68a1da3cac45240721fe79a9eb94d88b",
+    hash: "8e2463459ca414035e6902804cd76ec30ae28cd27148fbdb14ef44d590fe28bb",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
@@ -292,7 +292,7 @@ static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "cf94b8022c2b62ef1ddd2e5e4d4c453770d5e0867bd270cd6a1dc56a153ada03",
+    hash: "615c95067d5d0e4fd9fef585f27129d7525d6ce8e3c017a9d07e3aace9f92ebc",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -305,7 +305,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6e331ef897edbfa4bffd605ade7fcae12312a383cee3643f8d35f13ff68ee832",
+    hash: "b6b4fc5155dbb81735437175a75d1bfd38ec762c7bd5fdac403ce1207e487be1",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -318,7 +318,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "27eac60023d9f4181a8cd75ed66ef5cd316bfe864566873b3270cdb67b3439b6",
+    hash: "50607641d458e0c1ad09543675b066d6365006742d4b51822e2f01089f8bf135",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
@@ -331,7 +331,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "febbe659c6a8e91474c8989988d118adc30970929d2be85a53817d60a62a0cab",
+    hash: "87c155a9a804398925f25960b1883df374630b70db2e219a1b4345d1e56ab5d5",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "03e21d31d9b5dabf234932940a9a591bf20a74486056ab6300f9fe2ff7ddc8ed",
+    hash: "0810cfadd0852dcb02e01e7fa42c5f191573a88742b09688d21d7ef367de54f6",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -357,7 +357,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = M
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e9fca230a88cd89b4a509e9d2d8abaf1b5e6ed90922c495efc7cffae06e54156",
+    hash: "bced7a4a1fdb36300e2d9b047c482a978c5f97a9b8da6b3c57408ad5b42fd684",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -370,7 +370,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "426faf0ca8823246d81e900383df5401975a3bcf0256f4048f34304deaac8923",
+    hash: "a0f65d7bdad930fd4d28164a30492f442e857851aaf2b1cff751fd743fae70e0",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -383,7 +383,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "af02c8991d054a321b640d2065f86ea85a5848f4abfccc1e969b2ae5134be23e",
+    hash: "6dd45fc3af6a8595d5516c74dba8c650876ea53953236446448fa346455fc739",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -396,7 +396,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "a3947020f39e60a6658064fb655294292c790ee00a71a82f0ee9551d887344aa",
+    hash: "56f708be5f42fe5a00afb25ff60ac8c9b69f59ae0f9ada2062e792f6111f5f03",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
@@ -409,7 +409,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "66b08fa4db443f998083d1acb6c6544e650a8d32b2e0102d0fbd7234d58fd885",
+    hash: "7a48d811fad8e58b68dae8d03e30147fdb4ace4eb761db8e30be79d01dbf0207",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: M
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "47c205baefc16d9bd26033cabcbb7d39f028af57e4f6c64e0d7ee8573a2845d6",
+    hash: "535e134c22236171570e0d267b0a8478f2d50f8fc781f82f3f79ceadf2034277",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -435,5 +435,5 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Modu
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "69bc7e8ed30fc5844088390dce3c7f0ef66ee307f2eca64634f54e04b75d2c85",
+    hash: "40f9b170ee9c17d927b10b62f801de2e02b65c3720646cd46328032a78cc0b41",
 };

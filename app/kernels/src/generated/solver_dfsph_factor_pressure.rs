@@ -184,7 +184,7 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "0d3137a534cad446f526300253cfc7ff2d479ac785abbf5ea360b7c5b95c4d54",
+    hash: "67f565bee9ebfcd9cb560d3fb5afa0a20ed2895fb296c038138bb60c2c84aa67",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "f435dc852fe8dba319ab117ed8bb3d8453c143e785f940c1430c5007800223cd",
+    hash: "b3480a48218d8e29bc2ded45b7c798e9f4f376a51e82c16701559e42d1ac4ce8",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "f33bbd8e77f821164cb9f1c97a01b04bafb9a2e957409b6af9d65a318f2cced8",
+    hash: "29a51381f4bf651b7789c5570493bf8ef0aec8fdad77de240de25e3f67f68cf6",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "26b900813f7fc688c9ead3701a7c8a65ae2fe158b5e5b4459dfdf566bb4abc2c",
+    hash: "15c5cae5723b1b1701a22ce842d60e7a276bc52547f05180b67421dba836cd9e",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "62667ddf559f2436c7cd8289bd268e1a662f36649cae3f9e7ecd0334b99ad49d",
+    hash: "8dd39fe2a3a9ebfe1860d9f5670a8de367b45d59514b6c23fd4ef48135d50838",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,7 +249,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "f7640b271cef0f9f8842e11835ff46f29ef00b87ab96d1d3d6560f15d64d06e4",
+    hash: "6fc921d6301c9902b8f38442b85a25b826d1e4a8952bea43ec25a288c20a2477",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -262,7 +262,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "3ae75ee3db5aa3796761b14150e84c9ca5fec0782e059a44abebf9c0056a9722",
+    hash: "7c9f88875bd68dc923efb36814177240b4064c0c742682760fcc3bd381ae83e4",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -275,7 +275,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "37d81f0bb2830c2a64ca10a61c2329992dc7cacd812ab0cac9218f996a4889e7",
+    hash: "c9fb6bf599e59d1778122c5fbf0740cf74f62335e3338a23cc659b48f2943b49",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -288,5 +288,5 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "aadaa3ac8e76598b5a49e3fe7ee7bdda40bb3b48c6b231a78906a430495032ab",
+    hash: "b710e57fa344cf1801e73f234e2d7d93ba3575aaf78e27b7ff83d91ae44589db",
 };

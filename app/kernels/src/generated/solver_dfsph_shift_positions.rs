@@ -133,76 +133,76 @@ static SHIFT_POSITIONS: Module = Module {
     name: "ShiftPositions",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4584 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4576 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "e61b36da24f0b206fef12814f0d5729014bd2b5c275580c5ac8c5a7f0dc0311d",
+    hash: "ad01eff6e912672a68a89ad982ae9bbc3ce266e4e9248925d58463991a19b744",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 4584, bytes: 5568 },
+    spirv: Spirv::Packed { pack: PACK, first: 4576, bytes: 5560 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "dd4efeb854f10fbec9255101d72b9067f6ddb89f0e1db6f4aa0bab340085b631",
+    hash: "60c90b4daa6adce9ce6823afde38e8c333dee0bd679cfdf7d052a0fe79efb7ee",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     name: "ShiftPositions+WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10152, bytes: 4836 },
+    spirv: Spirv::Packed { pack: PACK, first: 10136, bytes: 4828 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "5d6f57b24be4d02953dd1aacab01f195f27ed3825b17cccaf88f8537b83d9593",
+    hash: "bd7c2ccdb173495a52f2784d68729ed9e78516cef16c01e3b749b2a21309226c",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14988, bytes: 5820 },
+    spirv: Spirv::Packed { pack: PACK, first: 14964, bytes: 5812 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "b6601e87366e6df8552808bfa6e2511fd2d00e223d6e756527867dcbd500531d",
+    hash: "9adc46231002d2a6a4d21b323fd702f5c619c0b86e3b9b7088a49c53c30f5b0f",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "ShiftPositions+SOLID_WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20808, bytes: 32544 },
+    spirv: Spirv::Packed { pack: PACK, first: 20776, bytes: 32536 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "69be2fff37fecf2590fb8eb36d834c6940f69a67e263147661a5fafcbbc8814d",
+    hash: "cafd3143134a558169c005d1bd9785423cfd1f7acc3ac599b8bc878eb456decb",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+SOLID_WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 53352, bytes: 33512 },
+    spirv: Spirv::Packed { pack: PACK, first: 53312, bytes: 33504 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "2658aaeb146615ba38aa74e4654c206fce8f902a5625ccff0ded4b5ebe22ccf7",
+    hash: "582dda82a076d25ba782c52d83a0af7c7c5a8550607f1d785ef8076e8960b197",
 };

@@ -110,18 +110,18 @@ static BEGIN_SOLVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "e8d2d8a94fe715394fc37d96a4b9496da01163553d5d9b82a7ac6fdb5c188d7b",
+    hash: "9ef648dcc1e0da46414efd4cecedf780ca552ce75058f03df2730616f0af0bc7",
 };
 
 static END_ITERATION: Module = Module {
     name: "EndIteration",
     entry: "EndIteration",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 1596, bytes: 5912 },
+    spirv: Spirv::Packed { pack: PACK, first: 1596, bytes: 5904 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "f3fc285c58a4c8e280aa27b7cebfa7f8eac72c06e250e1b654b5da5dedb4742b",
+    hash: "f635f50bf54a21f01566c6e20cd89981fe075e8fd1c47ef61be48434955be339",
 };

@@ -99,50 +99,50 @@ static INTEGRATE_PARTICLES: Module = Module {
     name: "IntegrateParticles",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6532 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6596 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "b29e48afb3910cd3aa3a3d18559ff76fb9c4910f05950ba0a6caa7934e94fd49",
+    hash: "68199a7afefdc32966fa0ed77e445304fd0490cf405de974a1f44758882dc392",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6532, bytes: 7484 },
+    spirv: Spirv::Packed { pack: PACK, first: 6596, bytes: 7548 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "294f35f601b4b6b240d6763556a7e12920afb0351a101807018143af85d8ad50",
+    hash: "0d269ca7ee6006c688d7f18c83fec13280cc15fc80f9499d96601038b57e9a8f",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     name: "IntegrateParticles+WALLS",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14016, bytes: 7076 },
+    spirv: Spirv::Packed { pack: PACK, first: 14144, bytes: 7140 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "6d058d9411f3b87e965f47426134025b06f8d2137b844dc93c6e62213601b526",
+    hash: "93e8ec26466c8c878eb2c06b3abf8e6f300116807177fa7066908cfedcaf0e98",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+WALLS+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 21092, bytes: 8028 },
+    spirv: Spirv::Packed { pack: PACK, first: 21284, bytes: 8092 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "c4ded9948581c3805c6a92b81fc39bf2f34a9e25f525fee3ed7b850079add662",
+    hash: "cb731dd968650fd1eaa20a0774fefc1ac121d063869b4395bfe6f7cc6b703b1b",
 };

@@ -63,5 +63,5 @@ static COARSEN_CONSTRAINT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/coarsen_constraint.compute",
-    hash: "e8b9a84cd321f074bf8ec10242c52b1c661de1457cda3a9db74618df6850fa3d",
+    hash: "bee6e76febb244e50f3f161a76381802e99eac32d4dd047b6b96c43fae750b9e",
 };

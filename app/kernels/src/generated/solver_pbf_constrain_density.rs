@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "03c3d57ff5189ef6019eaa782935d727e7e47f2ff5582d63d09f96bc51a02356",
+    hash: "6ed136a701da77fb69ce06e3ab60b3f8e32005e6f30973883b2cbaed25f1070d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7003fcd5245482c82eeaa76ec02f639ecab693fcf025f62bea592cc6b512b8b2",
+    hash: "b8f2ddf8ef496f8011203191cd118ffd7bd2fcdccc95c35a823e6c9518295f38",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1401ab09fd30b8b0f464f1bca1a1d85952048bdc356b027f7da4d4400606298e",
+    hash: "837b3fa5367f616c36531acef05bec17874fa3931585dadd6dcda235e170393c",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "531c576b397f244a240fe52faa2bc3e000f8fbac47d1301209de7b005ee3867b",
+    hash: "322357b316e973803700364476755f86703b796a73a01d942f89b80d6f74a540",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ffa502f7ea88d4dca28b0211b9fc405536d28a328dec4c6289c5e3bfc0a2eaa3",
+    hash: "c623eeeb288b63749e0d298192afdf2378acc0e3e4df8967538d02654794d470",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9699f3a735dee04e09788f775c14c5c05164944dc6dc07504cb1536a7d20e4b5",
+    hash: "b3aa4e9fa765d3dc5670b9805c402d11df84f4ff494523ffc4e37a02ba58329d",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8bccf0ebf399d300325cabdd4ce4ebd27a6960219b540ee116854d7d20db292f",
+    hash: "1892363f394715e2fbf3005a191c667aa24f46fc73e55f1029a3951dc2817636",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f13109d2fec4036e0da3f5f570de8e213179858ed59f97fb9fc2ea89f4647ab0",
+    hash: "a0b918989afa7946d5e1106268e615210c07b4845c81d34868a7a6036881855e",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "034c0b0a2a725f04711664457f6bbd69550aef9ec8ce31393ebfc2fb0fb6fdc0",
+    hash: "3a87eb176a1c4add34e95315925e6f5e1068fc206ed925bd002f19c95c9886fa",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e4ade6792fc5c28bdc4e11b642ff08b8d847db66b08b8c29f503e4c1f97c14d2",
+    hash: "b94c2230ea78db83a9bb2ca7fb712350ae2c3554f3730540791c186d7e333cb6",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9a9783b42b186798df8eb5619b5dc566ee32b0ae16a98002aeb38e5d3feb41f2",
+    hash: "fefee8b7eb1f3ba3fcbc0532bc65b472b3621d90ba54011d833c798f540dc649",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6989e37bc7d39c5a51a44064594ee2e8ce5ea48be373603df083839158d2adb4",
+    hash: "6c908ef56d192a8ffdc64783647af748e6269379e13faf19d51d3837eb7a722f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7328513561c6a6e97a49ba83fa6cac2916398da756d67381918aa284426e4ae4",
+    hash: "1152139b85734d636464b631af88a0242f20270d6a6802f1cfa4e9c8be651efb",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e9f446ce7e69d18c394213928985a0db028fa39f994b49def1e166d9cb0d061a",
+    hash: "f5ae36a8ba0b92a112c07985851b8b53d9423c489488a0996ae3f4dcfdeaedee",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8b2ef5814d66217e4087ab2a39456299a750150e3fdf02d7739b26eb5b41aa69",
+    hash: "f6a97d9e81fa7d53650fd48294ff22ab219f815905fa861176ff8c8a397f1d79",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7910743065f85a029c4a608b4ef23296f043d4a584cd361e10b72bc03f227ac0",
+    hash: "74b1bce35b2cb27ec1bd7276107868408df37e278da7b353fddd985691def526",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2620b5d5aa7f86efb2745a56e9423faa04b64433bc4548b3fea6841a00b89615",
+    hash: "ecddf7cae6f0fe2267206c565bb7e1c9d43b02df4c19089ab855715c72aaeac2",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c8e786c9046dd7f1e428995ffc00111b555be8aa09611f6da7a10ebb771c947c",
+    hash: "acf5b371a3e2fdefb4b830ae9d0aedbfe7db06f15442144427eaec7b2a2d9249",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "94962934100a2bbaa444daeba74732fc6a2f0b97ca67a3e292692b27894a6268",
+    hash: "9b8eb365702a8764c7a6eeacb86c9c72fedd7dc9ea2bb8039ccb8060ee0ffee7",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "67ec1d3a863aab01422feee3a7ab316445e6c542de09c987788577a038113d0e",
+    hash: "7909429929f7c831217695bef7a43759855581039d7d0396d9d31d25da33625f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "67624dda92040759f539b31f616c4cca9136197c9b81109b45a490b7abbbf72d",
+    hash: "735e58ff4ce9c8063ba23183395e8df6795862214e978c68f34d81c86dd77fee",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "979a1f34a3f615645d646cdea1976bd124262d03a2f34e558157973e603adb29",
+    hash: "0230c22d0bb2b1cc476e26a82b499d57c23f163f96a39e3d98ca74cc28d71d10",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "181290c7b92fbcb983179b252dabe9bb0e2cd487296b5098f246e1e56b421a72",
+    hash: "45d728e11a37fe36a75917c640a4dae5d0e012ef84fa2a02a71b22d74ba435d3",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a67224c1364b104feda7b194e4a623839d6bf836e083ba0e67fc7a05d8567b47",
+    hash: "ee01635b02bff7fb0f6e1913cc6cd9ce7b869700344aafad22672e67958b2fab",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ba3b3d942be165ef61ed7c315337ac3153ec7acd59ebcb68cd51ddaba9acf7ad",
+    hash: "2f5282296c99addca2ae2c415586ef7e44f0167b5bab9af4c2dad868621ba805",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e602fbb0f73da4e0291fa3c83b903ea86effdd5c4cfcb8e136a8c4ce1da9f472",
+    hash: "21c515615472bbd02adff11e65a48e96bc13e8176466348218612131cf85a8c1",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "179dae9d2bdca33ad2479be1b4028d180edde0263cb6fbb5c93195b91c6e8ad5",
+    hash: "963fbf5d281a731835fe45b0ebbc450ccc1c66f4a6f8c52d7c27eef1b9687cc2",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "69bedc92dfc2decc77f4e6ca47b411321e56493a32284c767308d9daccb66362",
+    hash: "5f3df7b1dcc009ba14d8aa07e231f9a48fdad23d2a0229a97cda6f267ee2538c",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "67cc110205e409a5489f64f1223d631ab38567e02a2fa1aa60be94a20573c774",
+    hash: "85dfeec1b562e18834a3b78aba614dbe88ea54b9aa6c1106c54dc08ddaa0b912",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ce27edefd3ff659d3ea3ce28fa89afd479b16204cec9c5c5e09e30269db524a8",
+    hash: "411a869652dbb715135b79150a1e394cf2a0e4780d75f3e6c341584530de29f7",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7307a9d33972d130dcefa49fac60339f8d368aea260a903f8688ff89171f2882",
+    hash: "ac8d171b43d66886a014907c872721274056838fc68b6cd4efb5c91a387d6068",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cdc7f763263ce159b5a68a56cbd82174a126a26b712e3f430c81e296f6c74d0f",
+    hash: "718c659fb0df158953e24e0f22ed18fff731263a1dfd9799bf4d75f9d7aeb0cf",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d8a7e5d92fe3d0b3b40da1130c9c385beb1fbfd5a8225d6b3c9dcba21ac6b711",
+    hash: "636cad1aa780ef10119fef6e6475892578fd808857fd52f7bc6ea77729554636",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "012a30805135e8ecd9fad171f83e740feb1e4cb415ef8bba52c33a4094a9ecaf",
+    hash: "2f16585982c4165e5d250cceef7ef2ff8dde0f684b2f6eb3d92173764106425a",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "498f6fcb6598de48b6e47096110963a695861d68e5812cd748afdee85422c223",
+    hash: "182e026d449c3513dca24964f114c05cf7fd1e049e287d23414f58b4aa9d0047",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a3f23f11e6b5ac7e4bf4567c0ec8c1789b60d812da32f4e0ab1d1481b6e36890",
+    hash: "b6c6ab8bf7ce29222444e85b8c793f59f205efb43aa278f46d3b123f83770cf4",
 };

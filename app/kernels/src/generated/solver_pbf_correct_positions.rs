@@ -281,232 +281,232 @@ static CORRECT_POSITIONS: Module = Module {
     name: "CorrectPositions",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14972 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14964 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "62c5e4e7a43313ddafd9d1ddbb8f7da6154dcf948a79b84552b56c142133f38e",
+    hash: "5d1c9d1e00188a322d6d56a1f673a85a73689619e8dcbdd08cebfdc7c433fc04",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14972, bytes: 14448 },
+    spirv: Spirv::Packed { pack: PACK, first: 14964, bytes: 14440 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c166bcd93750c8a5fe0aa21c05a77e4fb53ce16a8ab774809820ec78baf35f7a",
+    hash: "a949001a0b374d86c48fc3062f9bb180c8888292bb5da5e69587e87a3dca0376",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29420, bytes: 14536 },
+    spirv: Spirv::Packed { pack: PACK, first: 29404, bytes: 14528 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2bd7d552d3573e16aceb9bc3c2a0798bbbe63d59abf3f76b1ae800a337f2b5a1",
+    hash: "3c8928326d43e0de0d1c114f337814205c1668d7369b4e73304a5cb89aaf003d",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 43956, bytes: 15968 },
+    spirv: Spirv::Packed { pack: PACK, first: 43932, bytes: 15960 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c93ef75d76b96a316a6eed15ce32a09cf64006079c482b61b222f27eb5f0ea42",
+    hash: "8571575929f1fd0e994a9e0aa4f4a0cd4126f415a5b6bacf875095386785dde3",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 59924, bytes: 15636 },
+    spirv: Spirv::Packed { pack: PACK, first: 59892, bytes: 15628 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "72c40d990b11f78b1d1a33ac5665b255f533451877a3be363cf88db914acd232",
+    hash: "e3785a17d9f74b98cb6ee83599023fa34e6893a9e45b0e3bd6e9ea1af168bd18",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75560, bytes: 15744 },
+    spirv: Spirv::Packed { pack: PACK, first: 75520, bytes: 15736 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "548082d488125b6e8ca633e2bad1e3827751e6b43a60d1ef7f74107759820bee",
+    hash: "f70c65716e4327af3d8d343a71901e8954375ad4eec56573312d3ba364ae1485",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     name: "CorrectPositions+WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 91304, bytes: 17264 },
+    spirv: Spirv::Packed { pack: PACK, first: 91256, bytes: 17256 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c3211d40f578f428835d7cea7d5edb87aeeb1bb542421da49def00fc90b5f1a5",
+    hash: "1c5277a11f77cc9f4ff6a75caeb1c5b2dfe8bf04d6ee2136f39b3cf958cc71db",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 108568, bytes: 16740 },
+    spirv: Spirv::Packed { pack: PACK, first: 108512, bytes: 16732 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "929e0d6ba85eb5019ecce5a2a12ca1ca4c537271e0c514174ce698aa83b28709",
+    hash: "4bb772fcc9a32221dce82982e39c1e42f104eb357c3037880587f4cc249aaddf",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 125308, bytes: 16828 },
+    spirv: Spirv::Packed { pack: PACK, first: 125244, bytes: 16820 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "52c0e30a51613546644ea72e5b95dd33775775cea9cbf594ac015b2e361c8827",
+    hash: "31b6341d6e480228259b6b9d59a1797cdb6bf80480dad27ad1355c9ffdf11bb5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 142136, bytes: 18244 },
+    spirv: Spirv::Packed { pack: PACK, first: 142064, bytes: 18236 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "795af482bb9c4fc5eaa655422ed2d130836c4911fc322c20c1dee968f8b50cc4",
+    hash: "72846fd25093fc587a65e88fb9adcefd2692155e1d07e4a1f32f2496e1097db2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 160380, bytes: 17912 },
+    spirv: Spirv::Packed { pack: PACK, first: 160300, bytes: 17904 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b8d2f930aa7927756d0ef8d3da69777fa0ac36ab664c2fdc445b9a9b91ffc713",
+    hash: "6abb5872eb594839e3fdc63d4f164079fec668ba55dae5dfb4886929fbc9dc43",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 178292, bytes: 18036 },
+    spirv: Spirv::Packed { pack: PACK, first: 178204, bytes: 18028 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f8ae54d4464ee71dc98064087933556a4855816a5178fe0cbad27fcc852599b8",
+    hash: "af8048674dbf1e3f88a68f7eef6bbf2f31e3d0960c7a385a4323ab79a1309645",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "CorrectPositions+SOLID_WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 196328, bytes: 21212 },
+    spirv: Spirv::Packed { pack: PACK, first: 196232, bytes: 21204 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "38b043788a658faa2b7451d94a9a8797736771f22fe8967746a5bb45c1bb5ae3",
+    hash: "8b55426754eccce69c5588133433b28fb196fb3dfb74c1e85f486ab8ec1cb7ad",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 217540, bytes: 20688 },
+    spirv: Spirv::Packed { pack: PACK, first: 217436, bytes: 20680 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9813b537c955b0d740a0f73d1f6dac8f2c73bebb5eecd564bb53d1b3b9f3e4b3",
+    hash: "571ba85cfcc879f36e55d2e124139bc47ef6fb95ed91609c3b27b517b39f0414",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 238228, bytes: 20776 },
+    spirv: Spirv::Packed { pack: PACK, first: 238116, bytes: 20768 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "62a6170e660a352473d3760b39979f99f9c45ff2c2129fa917a9767f6325a7e0",
+    hash: "813b854e099a7a3e3ba88859230997e242bae1144c8523fe5dfb98af90b6f10a",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 259004, bytes: 22192 },
+    spirv: Spirv::Packed { pack: PACK, first: 258884, bytes: 22184 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "923fce649306a6e93c161c0f034097a4ec82b01417e6dbe76bb854efabd5de36",
+    hash: "ab9c7c852d210d43e563c47ab45e43fd460817ca9792dfbe978903a828d653dd",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 281196, bytes: 21860 },
+    spirv: Spirv::Packed { pack: PACK, first: 281068, bytes: 21852 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "87dd399409684a016f183b8677b516908984d48dee12294385d75c388b1b5111",
+    hash: "56dc0e3d56ea901e143b292780638a0df6cacd721099aef36f34e2109a9d650c",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 303056, bytes: 21984 },
+    spirv: Spirv::Packed { pack: PACK, first: 302920, bytes: 21976 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0667a80eba4678887d996445fe3959986b2becfa9851ce024aca3b3a20ad990e",
+    hash: "669c29e303f88034c530949a563d1edbf4b2f98fb21b038fdb99d4d6ed0ce836",
 };

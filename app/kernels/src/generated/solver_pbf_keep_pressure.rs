@@ -136,7 +136,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "743c390785dc9a46d482ad511ab7ec337c67c639752af5bbae03039d6165da39",
+    hash: "3eb57a96129d818b8ab9df845171353b677b946b65aee626c615b9bca140caa6",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -149,5 +149,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "f0748dc5a39974c0e9210e415c7bcb2dc3593d95c62a61cd8a56d1a409e7b4e2",
+    hash: "88a9bda0a0e524d0e0ab8f93a9642bf1dc1be379b75c8ddd0a9a4186d6c82340",
 };

@@ -117,7 +117,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "a1b800bd1d178519c6982b3db9bcf5d806c852e2fb72ab96954503f0bb852519",
+    hash: "a4506ba47df54d3fdd23be6ca9fed1a0da2d7b55d57f4180e66ef2186bdf2b9f",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -130,5 +130,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "faf145f59bbb00983de1126163aeeb5e7b0020e91e79018d935a6e6cd3611ea9",
+    hash: "3a337cff3213c64c3e641907ec5a5f110f6e7f6027995045ce73bb536734c99f",
 };

@@ -92,7 +92,7 @@ static RELAX_MULTIPLIER: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "2d69cea8478037e21af291329569140be1061c67c1b3d3eb96b621b0d6e21479",
+    hash: "f2d5f465002058e4db4270b61a3797e449f196cbb9fec20573dc01f41641ecb8",
 };
 
 static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
@@ -105,5 +105,5 @@ static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "3b8c2ca366f652626431f574e540ad932f1e7b8584e44efb0478d612787bd61e",
+    hash: "a8d21d07dc2d92767fc2aaaf91efb4488a98ae45e04177c0d2307415f0e8002c",
 };

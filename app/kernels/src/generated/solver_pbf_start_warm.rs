@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "6d39f841f795ef4be2825b2bf68ea83f70a01f572c33ddc02d95b955c0c30273",
+    hash: "c757d3754871edb1bc2be2a4ac9d8692a95f4f4e4030816d093f1f5b62df9e8c",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "2c3b99d2d0bde7994d7a82fc5fe4d0ae653aa271c1fb6ffdb33dc2b5a962ede0",
+    hash: "b0ce69c063d787a2aaefe21b084324acbd55186e48891317e4e3b868acbf58b1",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "2e3210a654fd47aebc2c0ad9d3c03f9baef3feb5aa3d11abf461e286d746eb0a",
+    hash: "c1317e77c61386487ca495df62a00db035018f6d571b75daf9a494f595623775",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "454b2859bad6d9f1104fc8d292cdb1b66670558b9f0196fce57c551b55737d1f",
+    hash: "3ed58d6a5b0a4e1a99b8377645fe72ea1daf0fae18d4abfab07d786934a9db46",
 };

@@ -270,154 +270,154 @@ static UPDATE_VELOCITY: Module = Module {
     name: "UpdateVelocity",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7192 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7184 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "0720e12e1d6033f5049c983fadfc1e8160667cdb0f42eac7945ae95e9a396fc4",
+    hash: "37e641cf81eadd83bc6027c55f1da648347d06c600823bb4fcdef1a3131f7dc7",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 7192, bytes: 5064 },
+    spirv: Spirv::Packed { pack: PACK, first: 7184, bytes: 5064 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "f5e38c23ad362af126322854a989a90222f539e3fb13adb394059588f46d440f",
+    hash: "7d056253f3183a8497ad8f4caceae853d606b6e1e54561a3d8c4afe26ee68802",
 };
 
 static UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 12256, bytes: 6976 },
+    spirv: Spirv::Packed { pack: PACK, first: 12248, bytes: 6968 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "58d0a8e6b8fadb9e60ae78fe6af4b03c1a61095bb3e8980b7833713a1126716a",
+    hash: "ef093e56e3e8366d36f0d74ed566f0b61e898eb58a2518c187d725cfe9adfdf6",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 19232, bytes: 8176 },
+    spirv: Spirv::Packed { pack: PACK, first: 19216, bytes: 8168 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "6a1c627af28ba6772576bd7778bc914d2ff90bc51b7740930d356c917d9dcb1f",
+    hash: "397da0f264c252759f664f9ad6490c5c89e01f55edc0f5d25735a65f49aca340",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 27408, bytes: 6788 },
+    spirv: Spirv::Packed { pack: PACK, first: 27384, bytes: 6788 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "06ed106fb6d2b3db8456d232bdbab317df04c109189a2df5fe2aa3586eff0d55",
+    hash: "c2551e2befa618c28606946c6844628c1753cf95871436bfd1153c3099eed9c7",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 34196, bytes: 7960 },
+    spirv: Spirv::Packed { pack: PACK, first: 34172, bytes: 7952 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "3585bef93bec86d8a09d7b1357fe088a580981985f71ba4b29837917def98848",
+    hash: "d57b9f5e3318b00580a7e7ff1ef0bfea3fab9f1d495820d1df94ff7689ff4257",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 42156, bytes: 6964 },
+    spirv: Spirv::Packed { pack: PACK, first: 42124, bytes: 6956 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "cd2cf813dce3cd07ec5a76c92112c36721ba0e978aa4695da7c91ac56d7f5cee",
+    hash: "382db11f5444f2243a0d085108063ec9ab1724589673a5c816ceb4225b0e8797",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 49120, bytes: 4836 },
+    spirv: Spirv::Packed { pack: PACK, first: 49080, bytes: 4836 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e086aa39ea6ec69f7685ea77ea98b77623e4e84cd2be5227a564f323d6020b4d",
+    hash: "ea6b29cd094edb9cd88ee49d2fdf5f05fb69c104cc5b63b850de5f08644e5848",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 53956, bytes: 6748 },
+    spirv: Spirv::Packed { pack: PACK, first: 53916, bytes: 6740 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "163003c9d3fd18597b847c1fb9f7ce641b824f8a667ec793c9c250d455609d5d",
+    hash: "c08e561a0598e9022b494708142742dc7f2ec6af7dcabfe2a5405ebc11569644",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 60704, bytes: 7964 },
+    spirv: Spirv::Packed { pack: PACK, first: 60656, bytes: 7956 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e2f82ed657b70a6550b8dc4b9ae320ecf1cb507637644dab5498411039ca6067",
+    hash: "ec81d1ca99168ab3f76bcd116e0a4b86b83d5d61519545ca78c9161f41bab770",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 68668, bytes: 6576 },
+    spirv: Spirv::Packed { pack: PACK, first: 68612, bytes: 6576 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "27b78926c033561b2844ad078fbd9cab26b9d13729ccb0935d0c0b6420fd6ac9",
+    hash: "ff2baa61f0f5466a48c4ebfeef55eb4762cb342793c6dc978b99fa6fee14271b",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75244, bytes: 7748 },
+    spirv: Spirv::Packed { pack: PACK, first: 75188, bytes: 7740 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "4c819049a70ae1c99bf6107b6b450a57cc1d5f4d66196fe3737b563dac6a3d58",
+    hash: "c14ed464241f69c725b9ad3102a31b0de0e4a1d9555ecc389da38f07140cfa58",
 };

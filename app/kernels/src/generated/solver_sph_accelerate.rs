@@ -258,310 +258,310 @@ static ACCELERATE: Module = Module {
     name: "Accelerate",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15808 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15940 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fba9f3ab13bcdbda87f01a0305211ce488121c9f08d73818f69139bad6932dee",
+    hash: "2c565a56bcb8077c82c689433bb8dc6c79a28d3e6dcd05336a32a82cea38e3ef",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15808, bytes: 15172 },
+    spirv: Spirv::Packed { pack: PACK, first: 15940, bytes: 15304 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "64d681578b1dbd57f690329d49b4337b75d5f6b3ad3994798cc88f72cbe08773",
+    hash: "2752b40b5c5dc25112ce13a857716a489e35b1daf862b3c6465847462e6c932a",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30980, bytes: 15252 },
+    spirv: Spirv::Packed { pack: PACK, first: 31244, bytes: 15384 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "39ce9c366ab9fe7bb62130c35689f0d2bad4486056a5c588f52fd02393966cef",
+    hash: "2826c6df34978bc4f46a9583f087da68ca0bdb402371c2b46ba5cd2291881d4a",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46232, bytes: 17988 },
+    spirv: Spirv::Packed { pack: PACK, first: 46628, bytes: 18120 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4ce57ba4a603e737715bbde3525601b393698fc95205dbdcad35ee4040d92a50",
+    hash: "c2f291f7cd125886bf14c4ba7a2dbd7d8b43a72185aaa6df2756a01efed62092",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 64220, bytes: 17352 },
+    spirv: Spirv::Packed { pack: PACK, first: 64748, bytes: 17484 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3c2779526829038c35f2ed00d29877bd143af9da4c7752ada1d3d7cdb8bc8d58",
+    hash: "661452a1ae923cd9e258f95acfa7aae97d03ac66b4fd25d514bb930fc4eb8909",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 81572, bytes: 17432 },
+    spirv: Spirv::Packed { pack: PACK, first: 82232, bytes: 17564 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "56ebc26db6a5c8d180ee587cd1f0733f9be61988f12a957ecee75e8fab57d364",
+    hash: "5ba1595c4ef105900bdc89ea6ead0719b410d49500cb71f7421956bdc47ccc31",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 99004, bytes: 18640 },
+    spirv: Spirv::Packed { pack: PACK, first: 99796, bytes: 18772 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a20273faf386b1240b4aac1e0e77c0779fc8f12eb74da7ca8afaefd762369c37",
+    hash: "7fb2c37ef5d4c099c8eeec37c451a914097da9706497505faf6f935e34093b89",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 117644, bytes: 17908 },
+    spirv: Spirv::Packed { pack: PACK, first: 118568, bytes: 18040 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5b4058e68d86c3dc6848ad9ae283bc2608c30d2fc5265db65ca8c6a7f6edf8b9",
+    hash: "3109de53847d1e2f327fa603112b8447c06c53c1875ebb90cd9cf717ac0c9f17",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 135552, bytes: 17908 },
+    spirv: Spirv::Packed { pack: PACK, first: 136608, bytes: 18040 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9cad9866b0eb7bc155f25319b6313eef94352be3cf3946d14ddc58e95957f74b",
+    hash: "3b1de9a28e072643b5b3d483be0ac509f9652e935f556f58bf5d0a9c8cbfc35c",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 153460, bytes: 20800 },
+    spirv: Spirv::Packed { pack: PACK, first: 154648, bytes: 20932 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f6faa20cff0e78f9f095ce3019d5e45daace60fe57d85bf087ef2ae701aba4b7",
+    hash: "0e9046225032f23cab8ab5e87cc0b75b996aef0874fafa9dc06fb279b343d583",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 174260, bytes: 20068 },
+    spirv: Spirv::Packed { pack: PACK, first: 175580, bytes: 20200 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b914917da4b30e3e3daa6dddfc655907fee86d1569301067a615844028c9e77f",
+    hash: "effb06b4afbee2b03d22ca059b6490dbc3a81e0a0e69e9fd448e5f187da54325",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 194328, bytes: 20068 },
+    spirv: Spirv::Packed { pack: PACK, first: 195780, bytes: 20200 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "102f8ebf7906032926e5060a388139c603f0f13405113db19a1bb2795cc1df98",
+    hash: "e4ba87e1dfea841f2716531170bb6495bc1cfbe8a51e7a413d3fc6dc225cecab",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
     name: "Accelerate+WALLS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 214396, bytes: 18552 },
+    spirv: Spirv::Packed { pack: PACK, first: 215980, bytes: 18684 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5d3ec98b8d6896d15d409861e5c8743ebee285108e2917fcef35200484f15eac",
+    hash: "47d83e07771a934c53daabe8993811539047707e998392fd673e69940c435192",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 232948, bytes: 17916 },
+    spirv: Spirv::Packed { pack: PACK, first: 234664, bytes: 18048 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4fcfb46772b7aa94d1b9f086f76b74de63038dc8540ba230713d3cefe8418157",
+    hash: "5ce4a01808dff199c40b9d4e05568b722172b73ee9991b58874a43da1e22c301",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 250864, bytes: 17996 },
+    spirv: Spirv::Packed { pack: PACK, first: 252712, bytes: 18128 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "9c75f88323402dcc03e9004011922001a96ff06fea6e283fa89b7bbd540f0eee",
+    hash: "0eb5b0bf3ff3c30ac5da43336f3d1a58f635a9252303f97e465a93a1ba63ef0d",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 268860, bytes: 20732 },
+    spirv: Spirv::Packed { pack: PACK, first: 270840, bytes: 20864 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f0ee7d505e5992dbde95df396636ca94ff8be14078241917dc68331290f51357",
+    hash: "067238954fc0e60698ab92c047b61f99e8fba632700ba56d1637fd9d89e598f7",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 289592, bytes: 20096 },
+    spirv: Spirv::Packed { pack: PACK, first: 291704, bytes: 20228 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "79ba0e8b4af534844e1d10fa2c18ccad3f4a43043a9807aca52558d0cb90e8d4",
+    hash: "fa9edf2d10fa130eba8e6ceabfdcd06a72a79b76daf989c468785ad301bd724e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 309688, bytes: 20176 },
+    spirv: Spirv::Packed { pack: PACK, first: 311932, bytes: 20308 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "8799f5bda189b2f03f287af1d80b397242b6849e934c95f50ea47e2f8c76ab0f",
+    hash: "2723489d44d60a1c7d1210d6cd6b3c8f2b12cb3aa9f96ac3eea2fd71d26604f5",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 329864, bytes: 21336 },
+    spirv: Spirv::Packed { pack: PACK, first: 332240, bytes: 21468 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "87ecacdbdcc07a1712240bcd93005fc8a886a42277842c63f296f2a7cf79abc1",
+    hash: "0d3b6cb0e2da26b5f15a24b645d297bf4cca0fef639f5225a2b314ba76e01d9e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 351200, bytes: 20604 },
+    spirv: Spirv::Packed { pack: PACK, first: 353708, bytes: 20736 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8ea28c29c646f7ebb131f4ae3387ec762df0a680bdb85e2a700da6ad919d2546",
+    hash: "07cc2e7749825bbfafdc6873c43c76b433d7f0c2633e83ca1c07abdd01716d65",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 371804, bytes: 20604 },
+    spirv: Spirv::Packed { pack: PACK, first: 374444, bytes: 20736 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9959f9599d510d229a10ac6649eae3fe7b2cae5652871e35a54eb25c020ff656",
+    hash: "d77cd0a0eeeaaafcefc3048c4e2f8f430b42417d61670ce6c5ae88449ee44500",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 392408, bytes: 23496 },
+    spirv: Spirv::Packed { pack: PACK, first: 395180, bytes: 23628 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2906b52731cd64f7aabf33fded2266cb135f171b05307395316c509338d79d3b",
+    hash: "b662ace4c16b1c869cbdc2013f6d00aede9d5546e7962b7066ad5699ed1dce5b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 415904, bytes: 22764 },
+    spirv: Spirv::Packed { pack: PACK, first: 418808, bytes: 22896 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2e49c38196638c3a7d918a9142df3c645f615e6bddcfa0c723bd523c53433541",
+    hash: "30e38ea61909581937bb50fb43c6f98f4b444cbbd906a05f9e6386d586caae92",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 438668, bytes: 22764 },
+    spirv: Spirv::Packed { pack: PACK, first: 441704, bytes: 22896 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fc420a6138517971d1ac3efab47d8c8e0958131433b6bd388e0e954956d2b4a7",
+    hash: "f62793fce7449712d6356b5ce6f85f53bad2f4f58e5f2a2e3f9b322db209b5f5",
 };

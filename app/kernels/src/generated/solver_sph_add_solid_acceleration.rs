@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "73844e6ead25fcfb22d2996c951f64f2dcdf87c08ef1c2fba8dabb0e1daffb9c",
+    hash: "d98439d50ead0485f87fc4ae78c21a68a9487f1f5098afd39f73e7e3605466d1",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "2b354212f16cc2d5a81f308a039f2b06192529f1623bba862188ffe182e2103d",
+    hash: "4e86ffb79124f593fa3456b3787e41bfeb1cbfd13bbfc8f68b0a4e9a2c1bf3a3",
 };

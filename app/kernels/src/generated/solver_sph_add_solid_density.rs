@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "acbb8e4153cdbeacb3c2c5cc16c3798c702dea881947c167987ebf1155b2d783",
+    hash: "18c9093547b767fbf70a52a8082c753117babaf06bc37a24edfe556638382466",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "d1b2707f55db4eae3fe54c3a7b5cb7cdfb5497b335fcdf2d1c3526a7b289dfdc",
+    hash: "8e627e4aa124d0a47a4461a1a00eae7c8001300b2d61cd255d9fc6a551387a92",
 };

@@ -102,24 +102,24 @@ static CHOOSE_TIME_STEP: Module = Module {
     name: "ChooseTimeStep",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5484 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5476 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "b489d9fbb44c4e9966eff635052bc4bad992229ee92cf2e3f0938bd4a10e2e51",
+    hash: "6105485807ebca03b60ffe483c9618e623734a09363873153bf24663c0546a80",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5484, bytes: 5368 },
+    spirv: Spirv::Packed { pack: PACK, first: 5476, bytes: 5360 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "758f69cba9bc1745e8cf350ea0c610d4b311e7bafa195f36bcefc26750506ead",
+    hash: "a0f09205f2c3bfa42c2064885fef53afc6f79a34c5ee27077d042cf3ca81cdb8",
 };

@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3bff73a99301c221ae79c44959b93466051c4c47a450d205ebdbdef433fbe5fd",
+    hash: "71350bb228cb21f2e0245e27196d3c0fcb6ed1901af6e5ba68c4ccf3a59685ee",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ebb59e7e17fd4131289700a2506890c4eeb60b7e3a75996dd9bd87ec898111f0",
+    hash: "470938dc54d23862b308e3836e0d860a20cdcddfcab45b88993d5383f3de03ad",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "400ffb64d0e20f7c3e5d26779a45ca1f4e93152154316c138c8bce6ee437482d",
+    hash: "7a4c82e21475fec4cb0aee45c861d064c44d19c7e94b62d9d30ce7e61d0231b0",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "25cab0cc505de13637afab396a307cef09fa050a8f779abb0dfca9d3feb85be7",
+    hash: "990520ca1c8772dd64cfc31aaa79b622c04712332517cfd63956817fcf947469",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "61db99a1fdd08a2e0bf1c4fd700345b13b86ad1867bc423daa9cd2c11f359023",
+    hash: "daeb25f3c3e68fd901060723caae85e7f5ed4f49d9f493601bf7b582fb5a0f39",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "db61aba94dbadcf1561401abb2e3caf104a05401875c5b86b33c6ab30b94a42e",
+    hash: "32077525e58ff021e7fcf5b1ac60de78ff85077fc69911c67e35be7e527108cd",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a0d6a5ebf93cbece9f9a189945bed46dce37765690b0959af589b2cc7d607d0b",
+    hash: "3dd9307e64c1d1d47563053ed7d8027dd970dd8da5e7705517edd93a116f17b5",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "92c12ca7c0208b68a6b71ff78d5bad506984a2a79e020a3ad37af92ba05b6a1b",
+    hash: "a32e9fd74f4f181e8a9fab8e8093bd22b474ee0f63b333544da69fd01b92d631",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "737c3f224d0f9740c3b67fed88d4b20bb4bd50919adb67aeba4afb2032f30796",
+    hash: "90390320a049bb82f619eb465c32de0b2e8d375e16f1e0ea59a2749a55ec06ec",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f8e2d16309b01b2bd379f0808f3fe8e92f7adbbc3c219c2ce60635aa15057989",
+    hash: "9aab310a5b24ecd5a71c00ced3bdcfb1043eb0f0a3f87de8b8b3a06d79e4680f",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "dc0d7d9069752c29e5a924193719774e38bf24891b28053e07f654ac041251ec",
+    hash: "8aa27523f8e20f72495adf2c69c19078264691f45c4d4e774553b078a21109ad",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f42cb56f95146f3c33373de16ea18221f66621bc4a0698617a5ead592732a3d4",
+    hash: "bf3aff70909e3c9a2b87d67e77b6a3ac0a0954322c6f3659f3ba4195442f6ebf",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "780b6f7b35501c954ec8f71243a2221bfabf47cbed27ffe37111aa624e50731a",
+    hash: "cfea4030f732c7b3e36e22ee1eee19124717e70abb5cb551fd9e8a0b461d0b7b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "84d12f949d3657b5065754656cc03600df948d28f4630571b4f573271e7797f7",
+    hash: "58bf7cca2d5dda799d287135e7c28d25e67e35941af47d5cc0a764c1bd5fed4c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "cda4691279bb7d1c211c4226db92f3946a840bbd11fab7f2e6a09a01315b7810",
+    hash: "0065e6fad46cc764bbc2e9109a45b8031ab39ad494a174d3f5545ca33b514860",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6464b97d6b9cf94d380598fd9610da3eaa1bc511c67b981b5cbe37bb0748af14",
+    hash: "3fef94621be2bab6e3ff3e5dd9cb82488fbd79e722d73d76da3049fb15988212",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "09ebe703a39adbbadcc47db206d4aeb9a0dd994e9f98f9f029747491087bf119",
+    hash: "7e0ce6526629ac33f8fddbba701cde93a95782b1bc8d3bf2363be852cc20f4ed",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "3429d93af2e2066227be0e492c76d18c2cbff2bc7b5a30e061b74d627e773eb9",
+    hash: "d039f2d9ec57b3dc75c97c44f52774ee361dbe1bab7ce7aedc9feda68f414322",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4a02f4df21b3a97942e4c48e06e1102ffa47fa8106c420cf771f52febd36238e",
+    hash: "b02f8beb9221f9d229cf76d478dc5346f33da9268f073d95bd67ffbfcdb920d3",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "185e461ae63fbf58113c5ba101c8c68209665699a8b733227201f1ded35622a4",
+    hash: "a4c86fc196723dcc4b96a5ad3c4ce456816414b4ef99110731064f542e4cc1f2",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0df72330ca694f23cbece577f70dcddd6a6cf99d63b0a7c8ab8df995acae5a04",
+    hash: "936194fa98dfc2d90e809926fd6ab24b05fbe2be53179e7024ccd05491f56480",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "e983cb9921e55d4bf8db826dd755ea18407482646f582620917e573de396899e",
+    hash: "fbb4e40e70b29be07b8d502cbda8188ad7377e60e73d1343912f34cab18bd007",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "07d220a880cc028e8de667e80a888e29f82a875b3c1c5bfbbd9812f9132f9531",
+    hash: "138ca8b947183f14f8699c4c8c8acc4d9a905b366ad053d22b3555c49056f5eb",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6b313c7d75ad918d5169df19bf739761433efe924b76decc8c09696f1418c2a4",
+    hash: "3a7a5ac14644150b99b0c090c02025d57621e2142ab34602a5a072cebfd99c80",
 };

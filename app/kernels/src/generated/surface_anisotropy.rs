@@ -80,5 +80,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "3dbefecf35ed5b25e776313592928113219c20abcb3b844a574a2e98dad7a0d1",
+    hash: "3fce7e22333cd7e09dfb8cf431a621b9e18cd6aa32aee3df95998a6b0719f21f",
 };

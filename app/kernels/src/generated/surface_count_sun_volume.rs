@@ -72,5 +72,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "94620d3d85377a52f885f1e9ec4fd53af91363dca1b8d09bec3f32e82ef9738f",
+    hash: "b06bf5f8a11d469e3ed3125c65fc85d1145a3aa77d9e63f6b4c8fa425a8f27c4",
 };

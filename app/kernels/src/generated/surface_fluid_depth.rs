@@ -115,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "96ef642f639d0bd85e66f1d723a148134e71285782ac6346bee1edd75632815a",
+    hash: "1e8db47e2808b470d990f0ada76bdaeb942c586652ed97619d0b7c279e8acb3e",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,7 +128,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "a4baf9c79e37e07a62b17f816c94fdf437557e9015a9cb1758ddba764106a53d",
+    hash: "1fb638377a19115b57f4fa9505351778949b5d38ccc48cc5554b1e621de20938",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -141,7 +141,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "6766308f6bbb7f1c40173eee97ed2f641bb1ac2ddf7174f89f4ce01550b2fdae",
+    hash: "da765fab82c3119447e9fc52e58d4cf00c45ff157c28fde85c910c95d0aef344",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -154,7 +154,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "524c832bea608ba8ec4f1dbcb72f2bce2748c336d3cac9b95ef0de052bce2043",
+    hash: "12577068da1853c8106506644d43f48afc1066ec09d1333f0de10f1618b2aa06",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -167,5 +167,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "82c89a54cf136d65647b8604f4df6f3d97fb6bc6bb3269ef37edbab0a4bd52b4",
+    hash: "a4396ae99bf9eb89cfab2af1f951601f3f197ffc4a312d8a584435cf13b982e6",
 };

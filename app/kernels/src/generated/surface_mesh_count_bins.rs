@@ -106,7 +106,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "69d712e648453c20ad85bce5519ed9434d7c0687ff011a0226c82bfc7556c9df",
+    hash: "9451c32a564b186c25a759d865cfb78143d89984d51f9c43ae284a5bf16c1611",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -119,5 +119,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "224d933b9a52f581b42c5c0a201d281aab8c74433aaf40e289467e4ce4fc208d",
+    hash: "908173885b6ba87dc76ac5417e546e77a9d6781da943203be4b8b59fda1e860b",
 };

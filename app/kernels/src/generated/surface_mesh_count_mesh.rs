@@ -91,5 +91,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "7ee58008c708013001ba01a02c68c69727cadc94a98371d555a5f554533ec289",
+    hash: "4c44e23d0d7c96b578fc0a6f3d435423bed409c0390ca49e7539851513c1ae8d",
 };

@@ -112,5 +112,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "d4cbd8e0c49b10b4648050c51bb35400cadb4d76dbe845062ff54e1145f34830",
+    hash: "11f0246ed10e7b8f85ea0a8b3319981c5b50a75cecf63d6367105e38304b4f7f",
 };

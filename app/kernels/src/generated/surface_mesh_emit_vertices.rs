@@ -106,5 +106,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "27599e554e7da55047a31a483b3c3db4fda23cffff952797d0ed92e92963fed8",
+    hash: "d0b7262b15577d1cff43cc090e6938dcde2166ed2fdae4453856eadf16b9baf6",
 };

@@ -77,5 +77,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "3a548f25b87575b7e119008dbc84c98a1f304e8b8c8a99fefbc855b3f7d9e60b",
+    hash: "4e46c42b8155173a2524a7e829150bdfe0c9f3d4516fa420d849caca03866b0f",
 };

@@ -118,7 +118,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "33524e2e484ad7285d5cf4b30b5211757e967e24798b906887b3dd9028fa5961",
+    hash: "1600b7e140a0026ab182b427bb00d01ddd723530d36ba0e846dc5653d9090271",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -131,5 +131,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "8b3d45ad67f5ca0bc4c1d7551431c0accd26d7c3d5e36f06b914221e58692b47",
+    hash: "345fcf07d9d8e489c53bc3ea3f8e5fb5b8afbe2f7214f195441e4a65d21066b2",
 };

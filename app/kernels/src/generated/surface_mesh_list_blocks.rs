@@ -85,5 +85,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "1bc3ee4537bd25b173663049af36f4b9bd76f8ba22ef73d2b4fde3e9e94cc26b",
+    hash: "ef7516cd7309f927216829ddee553ce959bef2128b8d3b47beca440f8c9e143c",
 };

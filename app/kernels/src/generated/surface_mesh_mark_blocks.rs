@@ -87,5 +87,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "2c96f41a0d8dbd340f80eb36f65f2b7d8c796dfc297ddf960b660ac935879e31",
+    hash: "d6b3feaa4214b07cccbe7c060f4dd107157d46793567e4c288dd7d386b1f6fd7",
 };

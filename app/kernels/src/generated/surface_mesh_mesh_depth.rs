@@ -75,7 +75,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "666e6b1cf57b1d6d71ac227a472c89303e4a4a498f1268cfb3d5ea5d0778db12",
+    hash: "44a664d08eafc5b3eee140d27e0c4124a78179281c88e0d44114a177e405d651",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -88,5 +88,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "8a312db437e33cb3c5dec955712882b02241280d1cc50d343384c114c8b11352",
+    hash: "6c18e3061613c42d7fcd07f6f97e75cd60a09b698bf0c66e844c96d2114f3958",
 };

@@ -100,7 +100,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "f4577e1933b16e57e719d4076e70a9906c682bb0db787cde590a4c1b9ee36ca7",
+    hash: "76c419326e8eece17338d4bb3083f521392a20c9076d0428987a7f1c1ca633d3",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "4875e70a39697bd223e4aa5a4e85787a909ef580ab1c946b304b07caf32ec304",
+    hash: "9ed82fd382ff91ef0375d17b9d6d057386af72a94540c91aa986505625e853aa",
 };

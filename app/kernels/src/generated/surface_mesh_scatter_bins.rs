@@ -103,7 +103,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "a8c98e6cd1b0e3d7dd103e99f2023db907c43ce7478a5e96d7c71bd75907a375",
+    hash: "8fd1ef5041c4c0bc05603779e84ed1af09bd4f01cfc0b3ab7d065678a1b9bd41",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "ecffc4900db7b94987874816caf037b769b13f970873437897d611a1aef734d1",
+    hash: "7a6eddf32614e347c3c796893178b299de071a838dba864688dc7c724e6a0c5e",
 };

@@ -66,5 +66,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "6e310a0ed3d045c7dde8e86a3c49eb689444a7a9371fb206bc64cf14d5834ead",
+    hash: "c3d3e589aa84fab56ebb9165282be070e66c85aeb025d347bbeff8fd6b170129",
 };

@@ -73,5 +73,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "d750fba5dfe6146b33e90df51a51229441d1de1919e2c96b673faaa74b842fe6",
+    hash: "e6861f5d86192699046fa9e8d89229e308388df89d36463904c72b5e606fd5f0",
 };

@@ -69,5 +69,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "a51dd0eb5af546bd96b878951d7079dd5442e939ffd047760666d9adb7c79bd7",
+    hash: "bd464f14a2bf74442179f895167745f7ff5f48f1f56c0e6b5512a6f1f5b406e3",
 };

@@ -66,5 +66,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "dc2e2c3d88b0efaa6423637a18c55cf14116e9fa658cc6baf5bbd8e8aa0350c1",
+    hash: "6f6cfd1a963da92725ec15438f3025b3826af13acfa97f8bbfd9b3e175180ea9",
 };

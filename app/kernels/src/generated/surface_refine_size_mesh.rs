@@ -52,5 +52,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "a0b0866945388a26b954dde9e0ca1c98a1b31c5f531f5004b886388ec5313227",
+    hash: "34df21aefbaff9b70cabbe09013bd40fd132581df63f3d4ee9e5b5e6007f34a3",
 };

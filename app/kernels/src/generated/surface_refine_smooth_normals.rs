@@ -80,5 +80,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "e50c60fbc9fee1d4e83b8e5660594dcddb70f422e5799811f2ecd0719275b4ec",
+    hash: "e1b16b66949c04f7444d2251fa5f8de85ac10c2301506a3aa7997a6e8b3701ca",
 };

@@ -59,5 +59,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "a005bfff69b09a0d62f6382ebe030f5bedaf6449e8b18fa29dc8f5910f25ca95",
+    hash: "e28355e7550adff5186d1648b4762c9463090d62aadfb4d8289aa4a85f131bc1",
 };

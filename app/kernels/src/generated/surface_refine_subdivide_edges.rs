@@ -84,5 +84,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "9bac08c49bf444479c0ac5eebd0667a518b5262c003c7154503483267cf35181",
+    hash: "2646df373ddc796ab87fd270e679be1d812156c226bb8975c995f7dd9aea2a2a",
 };

@@ -79,5 +79,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "46840766cfc64e5be2e648e23a9c9550210dde934a09f0a4638e3adba268efb2",
+    hash: "b15efedfbf1d92a438c872cc34b1ef933ad8ddec7becdf1b290c86855ee4585c",
 };

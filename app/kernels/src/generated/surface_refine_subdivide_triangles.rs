@@ -88,5 +88,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "e6372c84a4aa977f25172db56d71efbe10c35c3fb4091907855886403943a0e7",
+    hash: "b326d53c878e64c4dc02669aa5b7e41de3fc2723123a43145c47442a0577cd57",
 };

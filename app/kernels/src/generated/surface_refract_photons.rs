@@ -73,5 +73,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "7dccae352e9583e8c200fb52a39701bd70f1850f9189ff84813cc90a7381e5b6",
+    hash: "c003dc578e46fe02b1861ab43284b9bf4e5197ec22e84259d4686e02c6f2bf45",
 };

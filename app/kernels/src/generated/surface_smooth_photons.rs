@@ -87,7 +87,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "02d316edff46e00832a5f0a290b4a42d97eba98e3e4a0ce6909b10ec6dddee03",
+    hash: "c9a6c977433e1d4ce8bca14a0a7e1ce84027c4a205aa48f8f0ef20344b3da9b0",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "11ec914a9444b965dd2b29ded50ec53b21ce94e2f1c848af3892de89cd116d57",
+    hash: "521ee03a3a0a854769a9a916f20cc7cae8295aa36316c8081aa6786a265a5b02",
 };

@@ -67,5 +67,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "7ad863238821dd79731edbaa162c7efea04692ba0ef63077cd14272c66891bf2",
+    hash: "ac77a09b8927ba4f7d6bb4c610e38f1b663f239c5ba7900bdda6ae63f3acec67",
 };

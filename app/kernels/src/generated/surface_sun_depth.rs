@@ -117,7 +117,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "31466c3d7c0a21778d508fc5030c3ba4177fb2e40508d85edd70ebc4bb028285",
+    hash: "26e61bcd5baf202dbf916a63bab3fbe0937fd2cc36caff3be85a5b7017a6a0e6",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "c7da0671254b93727b974b00165c81be4e1b5dc7f38f7f8d28f9a9aa5337cf40",
+    hash: "7503d71fef75c60ceb2fbbb5d3f03aee9dd95d2ae2261b98483f04f62649d241",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "9e5fed933a6d0bf6a71f57b79fd8ed17c041ccf2051eb068bd3dcf3b75e5e539",
+    hash: "3f494da5d53542e672ecd52c240105a81df0cb6c370c1fa7993e73ba0f86ff73",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "b7ffe41e0a583c2669799cf418d94b1cedf1edcb6c9ae2ce771bbd7c427be64f",
+    hash: "f32f6c9ff9a8d0592019d1f0ea1b135b8fb61420dcbce41de2c2dcc49550fd77",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -169,5 +169,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "e77a6ded255afebb7d78e7087dd7ee25f6aab11c2a9b871c21f47a2f1595b3d0",
+    hash: "e5e8652750570516283d037d2774a610c03aef35174c9e3e555b0e3d9271e694",
 };

@@ -88,7 +88,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "679da7bcbc56427894769306bff4761acfad6f7ca226f4ae7a363aa3333e5a36",
+    hash: "d8a546377cd9312d6e198664441730f526d319648f538fa48b81d7929ccafa99",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "59d89dea7396e486d1fd1602adfe79f0b53a9c027a2630910102b59a5350c927",
+    hash: "af7a134ff14a42924b6018cca8249ef2caa7eec62d7afc4e148fd45215aa11fd",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "a75f8ad2abf994c343d491588023290dd207db2b79b87273c3d9933fb9fea4f0",
+    hash: "5b19241d66602830c87c3af0769a975c7a7072c394e4dd579bd5ca449765c76c",
 };

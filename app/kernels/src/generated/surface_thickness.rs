@@ -94,7 +94,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "91a9226ff41c8208f589f4698877df7cdcee512e336a86b3eb28717189ef35f2",
+    hash: "9da0513723a229b8bd486277097d54f30f4817ae7bcdfe5c0add219e4dbcf631",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "bd66fc4796a7a9d6b1e45dac4463568f8273b3a685f8db7d55220b27d2d619de",
+    hash: "9517f541ee0280e80a9feb1d547651166b0da9ea4b6f10886504afb3080ef4db",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "061dc4c41941fc22b3bb781f1e7a4b37a8a1c0c06c514fc9573cf6e3afd8d182",
+    hash: "19bebaa9ebe28045d1b55b2a4b258a048959f0a6bd9e1f3129da2d71689ddf92",
 };

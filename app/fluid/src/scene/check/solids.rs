@@ -100,7 +100,7 @@ impl Scene {
         }
     }
 
-    fn check_motion(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
+    pub(super) fn check_motion(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
         if solid.density_kg_m3.is_some() {
             return check.require(
                 solid.keyframes.is_empty() && !solid.repeat,

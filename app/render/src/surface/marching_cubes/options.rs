@@ -53,7 +53,7 @@ impl MarchingCubesOptions {
     /// Cells as the scene asks for, with room for a surface of its particles that are a few layers thick.
     pub fn for_scene(scene: &Scene) -> Self {
         let slots = usize::try_from(scene.particle_count()).unwrap_or(usize::MAX);
-        let slots = slots.max(scene.capacity.unwrap_or_default() as usize);
+        let slots = slots.max(scene.slot_capacity().unwrap_or_default() as usize);
         let spacing_m = scene.fitted_spacing_m();
         let domain_size_m = scene.domain.size_m();
         let longest_m = domain_size_m.iter().copied().fold(0.0, f64::max);
