@@ -1,0 +1,65 @@
+//! Ground: heights on a lattice, with all that is below.
+
+use glam::DVec3;
+
+use crate::mesh::Mesh;
+
+/// Heights that ground may have.
+pub const MOST_HEIGHTS: usize = 1 << 20;
+
+/// Heights on a lattice of two or more columns and rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Heights {
+    /// Along x.
+    pub columns: usize,
+    /// Along z.
+    pub rows: usize,
+    /// Row by row from the lowest z, m.
+    pub heights_m: Vec<f64>,
+}
+
+/// The ground's surface between the lattice's points, in two triangles each, with its sides and a floor at `bottom_m`; its
+/// middle is at x = z = 0. It goes on level for `beyond_m` around `size_m`.
+pub fn terrain(heights: &Heights, size_m: [f64; 2], beyond_m: f64, bottom_m: f64) -> Mesh {
+    let ring = usize::from(beyond_m > 0.0);
+    let [columns, rows] = [heights.columns + 2 * ring, heights.rows + 2 * ring];
+    let along = |index: usize, count: usize, side_m: f64| {
+        let inner = index.saturating_sub(ring).min(count - 1);
+        let at_m = side_m * (inner as f64 / (count - 1) as f64 - 0.5);
+        let beyond = (index as f64 - ring as f64 - inner as f64) * beyond_m;
+        (inner, at_m + beyond)
+    };
+    let mut mesh = Mesh::default();
+    for row in 0..rows {
+        let (inner_row, z) = along(row, heights.rows, size_m[1]);
+        for column in 0..columns {
+            let (inner_column, x) = along(column, heights.columns, size_m[0]);
+            let y = heights.heights_m[inner_row * heights.columns + inner_column];
+            mesh.positions_m.push(DVec3::new(x, y, z));
+        }
+    }
+    let at = |column: usize, row: usize| (row * columns + column) as u32;
+    for row in 1..rows {
+        for column in 1..columns {
+            let [a, b, c, d] =
+                [at(column - 1, row - 1), at(column, row - 1), at(column - 1, row), at(column, row)];
+            mesh.triangles.extend([[a, c, b], [b, c, d]]);
+        }
+    }
+    // Around, counter-clockwise as seen from above.
+    let mut around: Vec<u32> = (0..rows).map(|row| at(0, row)).collect();
+    around.extend((1..columns).map(|column| at(column, rows - 1)));
+    around.extend((0..rows - 1).rev().map(|row| at(columns - 1, row)));
+    around.extend((1..columns - 1).rev().map(|column| at(column, 0)));
+    let first = mesh.positions_m.len() as u32;
+    let below = around.iter().map(|&top| mesh.positions_m[top as usize].with_y(bottom_m));
+    mesh.positions_m.extend(below.collect::<Vec<_>>());
+    let middle = mesh.positions_m.len() as u32;
+    mesh.positions_m.push(DVec3::new(0.0, bottom_m, 0.0));
+    for (index, &top) in around.iter().enumerate() {
+        let next = (index + 1) % around.len();
+        let (low, next_low) = (first + index as u32, first + next as u32);
+        mesh.triangles.extend([[top, low, around[next]], [around[next], low, next_low], [low, middle, next_low]]);
+    }
+    mesh
+}
