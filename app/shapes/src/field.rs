@@ -11,8 +11,8 @@ use crate::bvh::Bvh;
 use crate::mesh::Mesh;
 use crate::{shares, threads};
 
-/// Nodes that all fields of a scene may have: 64 MiB on the GPU.
-pub const MOST_NODES: u64 = 8 << 20;
+/// Nodes that all fields of a scene may have: 32 MiB on the GPU.
+pub const MOST_NODES: u64 = 4 << 20;
 /// Nodes that one may have along a side.
 pub const MOST_NODES_A_SIDE: u64 = 2048;
 

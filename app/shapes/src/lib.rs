@@ -24,6 +24,6 @@ pub use field::{Field, FieldOptions, MOST_NODES, MOST_NODES_A_SIDE};
 pub use hull::{MOST_HULL_POINTS, hull};
 pub use mesh::{MOST_SIZE_M, MOST_TRIANGLES, Mesh};
 pub use normals::corner_normals;
-pub use relief::{Relief, ReliefKind};
+pub use relief::{Relief, ReliefKind, noise};
 pub use shares::{plane_distance, plane_share};
 pub use terrain::{Heights, MOST_HEIGHTS, terrain};

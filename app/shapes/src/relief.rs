@@ -36,8 +36,8 @@ fn hash(x: i32, z: i32, seed: u32) -> u32 {
     h ^ (h >> 16)
 }
 
-/// Of about -.7 to .7.
-fn noise(x: f64, z: f64, seed: u32) -> f64 {
+/// Smooth noise that changes over a length of 1, of about -.7 to .7.
+pub fn noise(x: f64, z: f64, seed: u32) -> f64 {
     let (x0, z0) = (x.floor(), z.floor());
     let at = |step_x: i32, step_z: i32| {
         let (column, row) = (x0 as i32 + step_x, z0 as i32 + step_z);

@@ -29,7 +29,7 @@ struct Varyings
     float4 position : SV_Position;
     [[vk::location(0)]] float3 world_m : TEXCOORD0;
     [[vk::location(1)]] float3 normal : TEXCOORD1;
-    [[vk::location(2)]] nointerpolation float3 color : TEXCOORD2;
+    [[vk::location(2)]] float3 color : TEXCOORD2;
 };
 
 Varyings SolidsVertex(uint vertex : SV_VertexID)
@@ -39,7 +39,8 @@ Varyings SolidsVertex(uint vertex : SV_VertexID)
     Varyings output;
     output.world_m = SolidPositionOf(corner, pose);
     output.normal = SolidNormalOf(corner, pose);
-    output.color = solid_paints[corner.solid].color;
+    SolidPaint paint = solid_paints[corner.solid];
+    output.color = lerp(paint.color, paint.other, corner.rim);
     output.position = ClipFromOffset(view, output.world_m - view.eye_m);
     return output;
 }

@@ -12,7 +12,7 @@ use brooklet_kernels::{
     StepParams, Velocity,
 };
 
-use crate::scene::{Scene, first_poses, solids};
+use crate::scene::{Scene, field_nodes, first_poses, solids};
 use crate::slots::Slots;
 
 /// Blocks along the longest side of the domain, at most.
@@ -25,6 +25,7 @@ pub struct Solids {
     pub(crate) solids: Buffer<Solid>,
     keyframes: Buffer<Keyframe>,
     poses: Buffer<SolidPose>,
+    fields: Buffer<[f32; 2]>,
     pub(crate) blocks: Buffer<[u32; 4]>,
     block_count: u32,
     contacts: Buffer<SolidContact>,
@@ -69,6 +70,7 @@ impl Solids {
             solids: resources.persistent("solids", solids.len() as u32),
             keyframes: resources.persistent("keyframes", keyframes.len() as u32),
             poses: resources.persistent("solid_poses", solids.len() as u32),
+            fields: resources.persistent("solid_fields", field_nodes(scene).len() as u32),
             blocks: resources.buffer("solid_blocks", block_count),
             block_count,
             contacts: resources.buffer("solid_contacts", slots.capacity),
@@ -81,6 +83,7 @@ impl Solids {
         let (solids, keyframes) = solids(scene);
         init.upload(&mut self.solids, &solids);
         init.upload(&mut self.keyframes, &keyframes);
+        init.upload(&mut self.fields, &field_nodes(scene));
         init.upload(&mut self.params, &[solids_params(scene)]);
         init.upload(&mut self.poses, &first_poses(scene));
     }
@@ -124,6 +127,7 @@ impl Solids {
             &CollideSolids {
                 solids: self.solids.read(),
                 solid_poses: self.poses.read(),
+                solid_fields: self.fields.read(),
                 solid_blocks: self.blocks.read(),
                 positions: positions.write(),
                 velocities: velocities.write(),
@@ -158,6 +162,7 @@ impl Solids {
                 positions: positions.read(),
                 solids: self.solids.read(),
                 solid_poses: self.poses.read(),
+                solid_fields: self.fields.read(),
                 solid_blocks: self.blocks.read(),
                 solid_contacts: self.contacts.write(),
                 step_state: self.slots.state.uniform(),
@@ -182,6 +187,7 @@ impl Solids {
                 variant: ConfineDisplacementsVariant { precision },
                 solids: self.solids.read(),
                 solid_poses: self.poses.read(),
+                solid_fields: self.fields.read(),
                 solid_blocks: self.blocks.read(),
                 sorted_positions: sorted_positions.read(),
                 quantized_positions: quantized_positions.write(),
@@ -216,6 +222,7 @@ impl Solids {
             solids: self.solids.alias(),
             keyframes: self.keyframes.alias(),
             poses: self.poses.alias(),
+            fields: self.fields.alias(),
             blocks: self.blocks.alias(),
             contacts: self.contacts.alias(),
             params: self.params.alias(),

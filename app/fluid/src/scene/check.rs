@@ -1,6 +1,7 @@
 //! What a scene's values may be: each within its limits, and all of them together.
 
 mod faces;
+mod forms;
 mod solids;
 
 use std::fmt::Display;
@@ -52,6 +53,14 @@ impl Checker<'_> {
             (Some(kind @ Kind::Vector(limits)), Value::Array(items)) => {
                 let ok = items.iter().all(|item| as_number(item).is_some_and(|n| limits.hold(n)));
                 self.require(ok, field, written(value), kind)
+            }
+            (Some(Kind::Vectors(limits)), Value::Array(points)) => {
+                let outside = points.iter().position(|point| {
+                    let numbers = point.as_array().into_iter().flatten();
+                    !numbers.map(as_number).all(|n| n.is_some_and(|n| limits.hold(n)))
+                });
+                let kind = Kind::Vector(limits);
+                outside.map_or(Ok(()), |at| self.require(false, &format!("{field}.{at}"), written(&points[at]), kind))
             }
             (_, Value::Table(table)) => table.iter().try_for_each(|(key, value)| match field {
                 "" => self.limits(key, value),

@@ -107,6 +107,9 @@ fn each_field_refuses_what_it_does_not_take_by_name_and_value() {
                     .map(|value| (value.into(), limits.to_string()))
                     .collect()
             }
+            Kind::Vectors(limits) => ["[[0, nan, 0]]", "[[0, 0]]", "[0, 0, 0]", "1", "[[0, 1e30, 0]]", "[\"a\"]"]
+                .map(|value| (value.into(), limits.to_string()))
+                .into(),
             Kind::Choice(names) => ["\"other\"", "7", "true"].map(|value| (value.into(), names[0].into())).into(),
             Kind::Switch => ["0", "\"yes\"", "[true]"].map(|value| (value.into(), "true or false".into())).into(),
             Kind::Switches => ["true", "[true, false]", "[true, false, 1]", "[\"x\", false, false]", "7"]

@@ -54,7 +54,7 @@ static DRAW_CROSS_FADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "5e6d5b4b7c317a7d62666282bf08d924331b57dbfd8c8d9a3146d1ab41be4d2e",
+    hash: "6d73191bc2343814e870d4a802e42418993ac1f1cc9544c6d3e132317b205eb3",
 };
 
 static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
@@ -67,5 +67,5 @@ static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "1428313e8cd3a5e357026f5119f63618c22f488085b6b1d04c5ee89f8df7c5b6",
+    hash: "40df60e7e6a83232a7613fe3b705d801d3bfba7b029e113cc36489bbf80bfc78",
 };

@@ -96,7 +96,7 @@ static DRAW_EDGES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "30964634ca5c72d66a3fa10f706dd0e46909fb5227305211a063576222b34a49",
+    hash: "d9ca2524788084c015f549f096c832f29acec175fbb65cefe5b726c0ca7349ab",
 };
 
 static DRAW_EDGES_FRAGMENT: Module = Module {
@@ -109,7 +109,7 @@ static DRAW_EDGES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "7a652657b8501e27e91f978f600b996ca001633199ac4ed260fa9460e2aa0819",
+    hash: "e6ce42bd7d251f422215cff7f1c35f4ba5bad78157711c74bb1a7987ec4bf6f5",
 };
 
 static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -122,7 +122,7 @@ static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "5b214f228eeaf94d250a67b2958505284db96521b303ae1fa336205ca2eafb01",
+    hash: "cedb203c552b0a5a83a2ddd6d627a8d4ee468d26832a921db57d2536263fb354",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -135,7 +135,7 @@ static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "f1a154aa4e6fd3da02930fd6714bcb4f085756f0e37a41f7dfbd948844b69ff5",
+    hash: "fd759aaacc19a37f6327a6daa33bd0871f80977bfcda0f1f0c219dd89bc60e3d",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -148,5 +148,5 @@ static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "433fa96176a814a44892d46f35582cf1d4eb6e742a63341f6fca10ddb703fb71",
+    hash: "a43d1eb821d2cbc6dffa6a1155336e46aeea3ecda32235f1029fdcc813cc801c",
 };

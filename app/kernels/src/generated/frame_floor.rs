@@ -203,7 +203,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c3df54438ac4399638bf4706c7712540eebb235ed386d870d0a8b4cc03ab9d1f",
+    hash: "aac27546dc3d688d29e97eda51241664c0790b46caa9948b751bb7339b60dbca",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -216,7 +216,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c353a213d05b1d88807c1fc5694794f55f82d4bddd0e491edb87a7f7ea9ec08e",
+    hash: "8cb3b4b71df53e1dc4057f1368f046f5cfb95778f4a74c364faa2556c1d4ec42",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -229,7 +229,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d88712636a1547756a1a2ab63d1424d138b7f05296fb38f383b74f529771dd87",
+    hash: "84fd219db6f609a349578a6afabbb0b20ebea8b2d73853bf87d992b423a2dd15",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -242,7 +242,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "0b5cda1647f64ea9b4211669cd46797af6f35499dd7532d01d31b2aba9299608",
+    hash: "8d1abda159fd8d9bebb22eda2ad14617567fb409e3b9797977927df8f53437e1",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -255,7 +255,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "e6d0cd2b836477674f0f61783573b789c4b1a59c682a19d01ee49a8a7feca4c9",
+    hash: "7a15b108b142af383a770c4a2d85dbef5005705cc2c0e1bb0359193879a4c41a",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -268,7 +268,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c847dae731298a13d07c4e4fa829763de8dfd38169c735a8d97198f04792776a",
+    hash: "c0a0410b9319043aa0fbeec61b4cc41b156b1b93b8f35dac1b133029ced8781a",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -281,7 +281,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "37834399d0c6904aaad3099d13585b8ba34df6ae5d27809abd6eed75e68b306e",
+    hash: "2734e255856ea8b68b57e2339d41db25b17831b868b5f21a4c1d8a1ee81d78a4",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -294,7 +294,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "b4a5ecc15261c4794b2d895e360bfea05f9744520b8fbca9b00f431774c3eaf0",
+    hash: "b78082bbc78a9e71ea6485dc785987f89917d3c2b4dab7bf7cb8ef5011aa2474",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -307,7 +307,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "a74598085da2091ad3334fb61b30525b87514eba78b0923416995e76eba6e466",
+    hash: "641acda6098d639a706b9225aa18d56d6308e24c4106aa24943d4dfc64f73e32",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -320,7 +320,7 @@ static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c0be6eb447566fe5132fe7cf6388dd2ee5a32a26d9a58d880e3078b4adeecec7",
+    hash: "0b68fde5308185038ace2053e64ebda3c8250b3651b06c0a210b23f9b004234f",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -333,7 +333,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "865c5975a88664c435ddc95f7783aada31017c2e9d4dd33347ac5693dfffe6a3",
+    hash: "b99d1b8753f2d977c04752388fac43d00699522ae29d581bf5c54b26fabc63ec",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -346,5 +346,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "93f131c380fbf5e0fd40dd552006973d7853e16da93eb0b6a7785333def00412",
+    hash: "327d546c1693bef198c57f0ff3e601da14758dbd2971d9fcaa2666cfaa0bbdfd",
 };

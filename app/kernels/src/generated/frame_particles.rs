@@ -65,7 +65,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "0565db2e2ce08dac518002dbb6a1f20b26ae4dafcfee4c9470e43046a92084f2",
+    hash: "f0869cc546cdecd4e3030a3fcb8c78e762dc0dd5e5d4656f2965290a1c69dc8e",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "64c3588cbbd3e676fd000c4fb528ceee06d4fe2ce7aa0b959b3628bc79b5bddc",
+    hash: "b1d68c87949881d05d57039075c95b97c97a478db8f45dc13c330aacfeb889e1",
 };

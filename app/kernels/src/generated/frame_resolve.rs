@@ -92,7 +92,7 @@ static DRAW_RESOLVE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "fc43aa2328cba736693a79e5c096c57312a80e9950de479cad9f00339e099c76",
+    hash: "9673bf2e9ea211666a35a6a51aededa11a751d0eadd7a6d617ba3d6e8c9412e5",
 };
 
 static DRAW_RESOLVE_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "3a01c1401736a9ebce2eabeeda21d9abfb7594a395239e0285d038321aa51a66",
+    hash: "b4a0dba9ab7834f302f514e9a4581b78bea09e885db057608ca44d8fd0f49b11",
 };
 
 static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
@@ -118,5 +118,5 @@ static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "a48f5e86507c56335b19b9e948592a8af06950dddfca2311e9cd185c0961249d",
+    hash: "34e440b83ff8e304b664c28d1a156ee54a677386a02492f61c5970c650593a3a",
 };

@@ -183,7 +183,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "304d11152487b06cf8e24799ba65131698c4b2f6a2cc2c6fe01b293f3301fb5c",
+    hash: "3f094264cafd3da060d1e10c04d4e3d91c8acb2d3f83663d6f6201bd23a2cec1",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "e971ff3d9685d6ede234256dee152b2b85f26e09749a80afcc90c8fd6688f007",
+    hash: "4d53934bbc63410675952dba6da28057f88923601832fa8b605eb92cd9d74505",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "09828863656a4e323d9abeeca435cf68c328622dc3f2709c72e6a340f48159e5",
+    hash: "18d266374b7a714aa9bceca5474ca778ab9530853d12223169af8d6e37100306",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -222,7 +222,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "815dcbc8853b1e55145095e33b708932900e02453a1cb52658a5ef2a8b628cc5",
+    hash: "6c50f727496caca0c613cf6ea3a37aa476e255b578442b63a2ce954d656b1135",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -235,7 +235,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "9bb0a7936bceeb0ad3f00be64d9757b39b2127e6125e04ed27b51a1886374b0d",
+    hash: "2592d11a58902991393de2c14ef81355d27f4641cb2fe8009839dbbace22741a",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module {
@@ -248,7 +248,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "73befc58542d05101b3a7ee6332b1551fc250f706c6f034c6162a8574167266f",
+    hash: "46ac9b5256379e281b09682b62ab8f94330291602baf8b97dc29e354d6691924",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -261,7 +261,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "daa890f2b613327e3782a39679abf2bff980f21cfd31a7dc019cdedca48bf6ae",
+    hash: "9f371634f913b3bc356ecf690f59664979935bac91fe7ac1db9047b5a4fa0ac6",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Module {
@@ -274,5 +274,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "55691d3d11a5871340513a59063baba0995029af11c9b45b1ba58283deb3e38c",
+    hash: "0737e156460099d9d9ed787e98a29611e65397f828105d93d263257141c26e71",
 };

@@ -58,7 +58,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "41eafeefc28f94a8300f9717689ad74e1d40e50c7e7dc1eb450a2cec05033680",
+    hash: "cfabc3b593448ed7b9186935a80533213ead0a7c7ab31bcb5a5c0e8d54afcfbb",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "628db6270b27558fa7a4d24398c2a70d8d2b3d8a6ec6f51cd4223d1ad9058367",
+    hash: "928d5d07dccddf00d5e870d61f9a186782fc0d30f4c416563d205cc07d0a80e4",
 };

@@ -48,7 +48,7 @@ static DRAW_SKY_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "4d780b770258ec75e999592ed1f88c6967ea23e5048e7c7dce7902a1d032d005",
+    hash: "3a0ddd7975997045ab0d721d1ead16d51dde644c94ebe60cc4ba6db4dc3121e3",
 };
 
 static DRAW_SKY_FRAGMENT: Module = Module {
@@ -61,5 +61,5 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "27f108c4de56f5b1ff5cb7fd388aad7506e2d6859d398ca7edfc8268d185a4ed",
+    hash: "d991e1c1e0ee33191ad141868b0feba8d27895ab2515f7f03cd0a2a1d3296a9a",
 };

@@ -66,7 +66,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "52d718e7623423e45edb44ebb52688f0ccbc5857fd55b44e818951afa42c4f43",
+    hash: "82e1c737df1fa1617081e7398eb290285cd6fd388c74aa237c566480a45401b4",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -79,5 +79,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "bf2bc25ec024255867b0008b4f706e5083dca0655b8759a9183eeaa223b44504",
+    hash: "3a89b838e5c7d5e7418a27b802b77577ddd3589bf1ee97adb6ce3af7b164a7b1",
 };

@@ -64,5 +64,5 @@ static COUNT_COVERED: Module = Module {
     shared_bytes: 4,
     tier: Tier::Floor,
     source: "surface/count_covered.compute",
-    hash: "922cf3084f38f0c6254ce57754e9cd874afa864d7f7a1b553dd620e89b6c3df3",
+    hash: "b58883a7917811613a44f0621de820172624fe44b940a58b10bafafc49cf4f2b",
 };

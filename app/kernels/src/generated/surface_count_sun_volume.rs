@@ -72,5 +72,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "94620d3d85377a52f885f1e9ec4fd53af91363dca1b8d09bec3f32e82ef9738f",
+    hash: "4a9e87b617b17cb899a3ca8384fb7c0ca896cb635ae360ee73053c5dedc694d4",
 };

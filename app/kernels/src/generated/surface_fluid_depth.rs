@@ -115,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "96ef642f639d0bd85e66f1d723a148134e71285782ac6346bee1edd75632815a",
+    hash: "19b7738e047a24251fa280053b34ef14f6d01659c57a46757eff584e74c169ed",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,7 +128,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "a4baf9c79e37e07a62b17f816c94fdf437557e9015a9cb1758ddba764106a53d",
+    hash: "977814667317eb66dbf8cf79a4024a5d417dd9ee50a0df011f8732bc1a628e07",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -141,7 +141,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "6766308f6bbb7f1c40173eee97ed2f641bb1ac2ddf7174f89f4ce01550b2fdae",
+    hash: "e6ad696042cfc352093489368614e2ac53a039d2d8bc48562916276617c08142",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -154,7 +154,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "524c832bea608ba8ec4f1dbcb72f2bce2748c336d3cac9b95ef0de052bce2043",
+    hash: "3392cb9d8557a833fef089182449f82598c856ee9489986eb56bcdde0504ec73",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -167,5 +167,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "82c89a54cf136d65647b8604f4df6f3d97fb6bc6bb3269ef37edbab0a4bd52b4",
+    hash: "7c91f0110362896aa8dfdca2746981760c84f8bf79674302ac09d3c454c16b29",
 };

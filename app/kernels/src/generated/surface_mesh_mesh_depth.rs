@@ -75,7 +75,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "666e6b1cf57b1d6d71ac227a472c89303e4a4a498f1268cfb3d5ea5d0778db12",
+    hash: "52576b443b05b100b8dab92d3536caeb000c85d5bf0e1c26e93373fd469fd41d",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -88,5 +88,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "8a312db437e33cb3c5dec955712882b02241280d1cc50d343384c114c8b11352",
+    hash: "05a72d6eaa329c44ef696a86387f8a3f3370cbb2f8bcce9139539514dc71cbaf",
 };

@@ -62,7 +62,7 @@ static DRAW_OPAQUE_PLANES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "a0b6242fbd000a5f6f1cc1ba88f9afa64aefae46a4311e727d0ba592ce26878a",
+    hash: "4345ffc00e04fcd911848e9000860301dca345b6964059ccbccb42466483cf8d",
 };
 
 static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "75ac4baf2a214b80ce39a60d3c13a0125952ccb1c3d318bf4268b2e584f9139c",
+    hash: "213e48cdb6a65a7145956ca6612a80b102d6c3171926c56598a3d356678c519d",
 };

@@ -73,5 +73,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "7dccae352e9583e8c200fb52a39701bd70f1850f9189ff84813cc90a7381e5b6",
+    hash: "bdea87bd4e73369c88ecb3485ab4d4cee6403c96ac7f5fed69fcaf26fa46ddfb",
 };

@@ -81,7 +81,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "7c00f879a0eeb22e542522fe9a435988ec6766587e6181f8f0f7682296f43b16",
+    hash: "1482d54fef1bfa295e48d4c1e629eccdd6739445908d6dc8348ad787816198bf",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -94,7 +94,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "e2a456f206dc866002192dc62971eacc29410d249e44b44c85e849d90ae6b568",
+    hash: "8523a9046cf187b271b2cee80f34c9bb4f897e5a6d450136258c3cf460f78d2e",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "1c0034c33f68be182943263a8023a85841eedbf85e70493ee3fafc933e7b878b",
+    hash: "09ddcf0993837a5442bcf0b7961988e0c5a750ae1e61616aa29e9821a7f6c5b3",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "e4dccc4d344faeb4711a6bc2903fd785aa2d70f479c88b00d443995c1bb07c3d",
+    hash: "18f6b4defdaa2d1c6fab2aae41774a1c3427a4730fe8b34f01a93cece6ff6fff",
 };

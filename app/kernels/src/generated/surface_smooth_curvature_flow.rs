@@ -65,7 +65,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "b6ba682f7f1a00775efe42b761a7aebe36f961cda803b59c0e14ca5e0d56017e",
+    hash: "859c3b814042d56a75529b5c8aac8bee9fc0957a25fd9bfb8a6da905789a8972",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "08cc0cdb565aa16a607dba0391a9d5403bb14de879f174a232b7ce0a1d0c8764",
+    hash: "13829e8341b6f340580c9c6756fb5df4f510ef521eecd2a2551847544aa56bdb",
 };

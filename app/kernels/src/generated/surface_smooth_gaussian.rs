@@ -78,7 +78,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "f2dae089764f0357c41f768f4918c32de8cf2ca63466f3ebd9cea64c63c8981f",
+    hash: "20eda026064555c2084d8d11a9923ea36068e73bbf321f36e8399d6a64dd97ff",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "abd57b9a1ef8c8201cbdee3ecf6efad6939706376a8927f0896d4e88f0915e84",
+    hash: "9d9b633c3b38ad9036308cfb2018c4c20a8873e8f0e884ba3319a5c557cf678c",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -104,5 +104,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "868e16e8a08058118c4f536ba1cc709b3fd588285996f223c43372eedf9c265d",
+    hash: "421e924bf134aa114bc09ffc326de1ee0e1177fe120c817a212010f5508f0f05",
 };

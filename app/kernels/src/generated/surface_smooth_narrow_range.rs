@@ -82,7 +82,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "038ca26b1587b81507ff79328a816b070f19d54b65bac3f2fb03bd236190bc22",
+    hash: "f2011a4bef6125d91a9ae9cea7013f6f302bad4eca0e706a598cac8fd44b3a3b",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -95,7 +95,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "75bca98f36eb27c6f526ded587dbd8beb82dc0db1190e245b866283cd7a9b9e4",
+    hash: "e2f7429fc2c66563eee0345c34e28d38200cdea6c0dd1df7ec4f6e49a4950759",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -108,7 +108,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "2add4064d187d6b70c138379e232f65c20bf179274e25a3839774962fa388fa4",
+    hash: "b202989e85e8506559509542012ed3baa84f6ed72cc7bff29205bd6af6fb80cb",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -121,5 +121,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "48a2626d7139544f947c2b97c50aa9959e1733860f39b949514bc4745456deca",
+    hash: "c18e8ecdab34668e46f545372708f9c3b55fbf1f2db1bd26bffae40a6f4516c5",
 };

@@ -87,7 +87,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "02d316edff46e00832a5f0a290b4a42d97eba98e3e4a0ce6909b10ec6dddee03",
+    hash: "c99178f60d7fb6235eb08ab94abe78dacb25d12684e47a4bf2ee2d9a6f0ccbba",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "11ec914a9444b965dd2b29ded50ec53b21ce94e2f1c848af3892de89cd116d57",
+    hash: "b787d5d14c7d1554f75bc5c464b6a9ce6cf7816c6786878fce05ba6e9ce5f4f1",
 };

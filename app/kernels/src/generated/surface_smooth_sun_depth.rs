@@ -80,7 +80,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "1bb6769e1d6390e9bfe9224d0c6aa905686d403593c0a018eab7657dab9422bc",
+    hash: "ba3c2d39acf389406a963ddd104b3416641664267a934ca10860deb35de0601c",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -93,7 +93,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "585e8b9f59c04d400a9cad7062d388287fe0d3d09cd8033d379ba1ab7344653f",
+    hash: "05ee581eb3f12d946cc4cd7538ba7b4eab5fef6c76a7249eab6777f073f5956e",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -106,5 +106,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "77bab91030fb8e0c87b1403ffebb68d6360969cc029511b0e26a0035eb2641b7",
+    hash: "a3db816185bbd0e9085736e26c5574ad02a32b17d577a8a084bb17ec7d6a58d0",
 };

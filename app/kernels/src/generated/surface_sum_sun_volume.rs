@@ -67,5 +67,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "7ad863238821dd79731edbaa162c7efea04692ba0ef63077cd14272c66891bf2",
+    hash: "a985daf9416d05a9f30df0cefff6d2200cd647b4fbb535502edd936f6052f9f7",
 };

@@ -117,7 +117,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "31466c3d7c0a21778d508fc5030c3ba4177fb2e40508d85edd70ebc4bb028285",
+    hash: "ec360633c56c0ad99a5c0299d7fbad39df614fa2aceb1f6454a0d6b0e99370c0",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "c7da0671254b93727b974b00165c81be4e1b5dc7f38f7f8d28f9a9aa5337cf40",
+    hash: "e373de437e74024c026273cadc069f36ea1648f6306361fa73fbc9c579d09b26",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "9e5fed933a6d0bf6a71f57b79fd8ed17c041ccf2051eb068bd3dcf3b75e5e539",
+    hash: "921187e6a42a83a1fd73067d7d1a8049e358d88e329fb411ab821ca7bfe2641b",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "b7ffe41e0a583c2669799cf418d94b1cedf1edcb6c9ae2ce771bbd7c427be64f",
+    hash: "a11c7682b904439ffe8868c6eec77995c8bc8a0b35ff4d3186852004857d608a",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -169,5 +169,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "e77a6ded255afebb7d78e7087dd7ee25f6aab11c2a9b871c21f47a2f1595b3d0",
+    hash: "d164fc579a6ce148a149043080c39f1de43488f3cb28348ced9c715ca3e51cc1",
 };

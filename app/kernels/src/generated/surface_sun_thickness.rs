@@ -88,7 +88,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "679da7bcbc56427894769306bff4761acfad6f7ca226f4ae7a363aa3333e5a36",
+    hash: "ae26581cbdcf272a22c89f672bc1fb4df9218a41efaab04a3105da57ce2e9d2b",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "59d89dea7396e486d1fd1602adfe79f0b53a9c027a2630910102b59a5350c927",
+    hash: "ca8f9ec42c3ff7691c5f92f1c9dc56a97dea60d7d791213cac242fffae756393",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "a75f8ad2abf994c343d491588023290dd207db2b79b87273c3d9933fb9fea4f0",
+    hash: "b7d3f1cbf29d28a79d82dee25679b11df7152419dec0a65437fde8b09dfec7b6",
 };

@@ -62,7 +62,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "b5bb02126f09b11d49d2595aa3b122f8551f581590117ca13fec2bbf774b290d",
+    hash: "de746b8d6809b086316898b34deeaf11bb50279d14d7d5178f142918475f6f1e",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "27975a65846aa06fef9ab020b2844aed59abc24bee6394aa3d0eaf15d6ded4d3",
+    hash: "c8328388f6a8fc6102d31caaddfa91abb65a29b185fbcd9585089fd4cc7b2ce8",
 };

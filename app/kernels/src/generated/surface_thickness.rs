@@ -94,7 +94,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "91a9226ff41c8208f589f4698877df7cdcee512e336a86b3eb28717189ef35f2",
+    hash: "53e972ab10272ddc800d6f3fc006dbc93b4ed67814b437e4caa7a354afa1d9c1",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "bd66fc4796a7a9d6b1e45dac4463568f8273b3a685f8db7d55220b27d2d619de",
+    hash: "c41ac6838c2a2f33e04c32b22c3ad348b01d6d911c30cb1d0ce2d839be124eaa",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "061dc4c41941fc22b3bb781f1e7a4b37a8a1c0c06c514fc9573cf6e3afd8d182",
+    hash: "6014546b179c7aaaf1bf4e0cbb91469206c87038641fbb7a04ea632854d83b58",
 };

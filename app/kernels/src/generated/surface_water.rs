@@ -259,7 +259,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "db643794c559127f55ea42113660e6704c7a6f64a3b7811e2768f94b53d4d440",
+    hash: "2f1589dbb95eeddbd30b3b6b86f263e84fc70065d0b27661478adc933fd69325",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -272,7 +272,7 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "66a539380400fa96cdcd4d5225748c6adf29c0d86fab2399bb3ed49182fe7cc2",
+    hash: "d7e96514054c51b9556367ad1374ce26f4290444f08f6b880d167b8e9617c3b2",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -285,7 +285,7 @@ static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "6c26a9d4c3f5c71b47b3ecba4ccd0785845af8fc5b40b56c9fcbf82a9c52248b",
+    hash: "fb595f3c845732afe17694f155103ea28a8fb25ffca55d3e602770744cbd8559",
 };
 
 static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
@@ -298,7 +298,7 @@ static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "0326e15b0ee1b96a2ac345106ed61be389e1d0cd9b31a58c0e1c6f6384e707aa",
+    hash: "8ce3b465958be1725c15b2ce60f484a0ad48e9a08e04eccfe5694f24726040ba",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
@@ -311,7 +311,7 @@ static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "06d99966bf4caf2a03c2b759bd063e500bb622e4d057d1c65c51134085932d38",
+    hash: "fb9bbfbee11ef7c1a1010b0056b9fd004fde70bd863b055581f0eca5c9c8fe3f",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -324,7 +324,7 @@ static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "add857db15264401b6c909a2e1131ca870cd9760c901e8f90e01d21cf30bd7dc",
+    hash: "ec152babf620fef8aa95e0e7baeb8c7547ecdfb54ef3d95c88277ecde8196a0d",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
@@ -337,7 +337,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "fd8371ce3200e59e9ceda163360f879bcae31727f859c9da41c05e1410b617d4",
+    hash: "b5489238bd0f7b0d913ff838512b61d621cfc5b85e56aba9afeb13ff668775e2",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
@@ -350,7 +350,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "dc1a43586a9cceca9d3c3b792cd7f9ee33a200c5b5fde260cec2e23bc082a3fe",
+    hash: "acccf64f481bc324951a745b25582b75b69fc969b8b38f9e397857da2b44ba96",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module {
@@ -363,7 +363,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "35dfc99ef93d2402a804ca32e81c065d595ebe941b73febc2d9ac238b181b9b6",
+    hash: "4b775256bdf728f6bb0b5b5abae62896e45fc904829f54f123e3a2bf534f98ae",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -376,7 +376,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "34cde6b5a781aed5174bd5899684601604a7b8e7c78177a144261c544be928b1",
+    hash: "d883b7450ceb39dae9756b623fb234244906ae4944d1c8579940d371be3ba978",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -389,7 +389,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "489e1ca1e9100624142fa5f02823c8cde51d37bb5c081b252cf158344c1257b5",
+    hash: "77ab9a1978b1033eadf6559c51e30cb28a27b07dcd74ac031d2116dba88008bd",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -402,5 +402,5 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "8cd0d712878c9260dbfb117610b2b1b3c8ec5b61435e590d652b237ab58dfeef",
+    hash: "9e2a2a28d07f9ffb64f4018b4ed39faef9a053e392b268c4a38425f08da70127",
 };

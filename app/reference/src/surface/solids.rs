@@ -17,7 +17,7 @@ pub struct SolidCorner {
     pub position_m: DVec3,
     /// Its normal.
     pub normal: DVec3,
-    /// Its solid's color.
+    /// Its solid's color there.
     pub color: DVec3,
     /// Whether it is of a rim, 0 or 1.
     pub rim: f64,
@@ -29,7 +29,7 @@ pub fn moved(vertex: &SolidVertex, pose: &SolidPose, paint: &SolidPaint) -> Soli
     SolidCorner {
         position_m: vector(pose.position_m) + rotation * vector(vertex.position_m),
         normal: rotation * vector(vertex.normal),
-        color: vector(paint.color),
+        color: vector(paint.color).lerp(vector(paint.other), f64::from(vertex.rim)),
         rim: f64::from(vertex.rim),
     }
 }
@@ -99,7 +99,7 @@ fn meet(triangle: &[SolidCorner; 3], from_m: DVec3, direction: DVec3) -> Option<
     let at = SolidCorner {
         position_m: mean(|corner| corner.position_m),
         normal: mean(|corner| corner.normal).normalize(),
-        color: a.color,
+        color: mean(|corner| corner.color),
         rim: share_a * a.rim + share_b * b.rim + share_c * c.rim,
     };
     Some(SolidHit { along, at, is_front: to_b_m.cross(to_c_m).dot(direction) < 0.0 })
