@@ -51,15 +51,13 @@ pub fn terrain(heights: &Heights, size_m: [f64; 2], beyond_m: f64, bottom_m: f64
     around.extend((1..columns).map(|column| at(column, rows - 1)));
     around.extend((0..rows - 1).rev().map(|row| at(columns - 1, row)));
     around.extend((1..columns - 1).rev().map(|column| at(column, 0)));
-    let first = mesh.positions_m.len() as u32;
-    let below = around.iter().map(|&top| mesh.positions_m[top as usize].with_y(bottom_m));
-    mesh.positions_m.extend(below.collect::<Vec<_>>());
-    let middle = mesh.positions_m.len() as u32;
-    mesh.positions_m.push(DVec3::new(0.0, bottom_m, 0.0));
+    // The floor's triangles are as small as the surface's, or a tree over them would be poor.
+    let below = mesh.positions_m.len() as u32;
+    mesh.positions_m.extend(mesh.positions_m.clone().into_iter().map(|at_m| at_m.with_y(bottom_m)));
+    mesh.triangles.extend(mesh.triangles.clone().into_iter().map(|[a, b, c]| [a + below, c + below, b + below]));
     for (index, &top) in around.iter().enumerate() {
-        let next = (index + 1) % around.len();
-        let (low, next_low) = (first + index as u32, first + next as u32);
-        mesh.triangles.extend([[top, low, around[next]], [around[next], low, next_low], [low, middle, next_low]]);
+        let next = around[(index + 1) % around.len()];
+        mesh.triangles.extend([[top, top + below, next], [next, top + below, next + below]]);
     }
     mesh
 }

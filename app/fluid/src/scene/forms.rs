@@ -99,8 +99,10 @@ impl SolidSettings {
             self.hull.as_ref().and_then(|hull| hull.cell_m),
             self.terrain.as_ref().and_then(|terrain| terrain.cell_m),
         ];
+        // Ground is smooth, and thick.
+        let spacings = if self.terrain.is_some() { 1.0 } else { 0.5 };
         FieldOptions {
-            cell_m: given.into_iter().flatten().next().unwrap_or(0.5 * scene.fitted_spacing_m()),
+            cell_m: given.into_iter().flatten().next().unwrap_or(spacings * scene.fitted_spacing_m()),
             support_m: scene.solver.method.interacts().then(|| scene.support_m()),
             sheet_m: self.mesh.as_ref().and(self.thickness_m),
         }

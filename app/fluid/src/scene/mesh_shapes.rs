@@ -62,7 +62,7 @@ pub struct TerrainShape {
     /// How much higher it is at its lowest x than at its highest besides, m.
     #[serde(default)]
     pub fall_m: f64,
-    /// Between two nodes of its distance field, and without a file between two heights, m. Default: half a spacing.
+    /// Between two nodes of its distance field, and without a file between two heights, m. Default: a spacing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cell_m: Option<f64>,
 }
