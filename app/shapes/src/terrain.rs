@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use crate::mesh::Mesh;
 
-/// Heights that ground may have.
-pub const MOST_HEIGHTS: usize = 1 << 20;
+/// Heights that ground may have along a side.
+pub const MOST_HEIGHTS: usize = 512;
 
 /// Heights on a lattice of two or more columns and rows.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +16,36 @@ pub struct Heights {
     pub rows: usize,
     /// Row by row from the lowest z, m.
     pub heights_m: Vec<f64>,
+}
+
+impl Heights {
+    /// The same with no more along a side than there is use for: each the mean of those that it stands for.
+    pub fn resampled(self, most: [usize; 2]) -> Self {
+        let counts = [self.columns.min(most[0].max(2)), self.rows.min(most[1].max(2))];
+        if counts == [self.columns, self.rows] {
+            return self;
+        }
+        // From half a step before each to half a step behind; the first and the last are at the ends.
+        let part = |index: usize, count: usize, all: usize| {
+            let step = (all - 1) as f64 / (count - 1) as f64;
+            let end = |at: f64| at.round().clamp(0.0, (all - 1) as f64) as usize;
+            (end((index as f64 - 0.5) * step + 0.5), end((index as f64 + 0.5) * step - 0.5))
+        };
+        let mut heights_m = Vec::with_capacity(counts[0] * counts[1]);
+        for row in 0..counts[1] {
+            let (first_row, last_row) = part(row, counts[1], self.rows);
+            for column in 0..counts[0] {
+                let (first, last) = part(column, counts[0], self.columns);
+                let rows = first_row..=last_row.max(first_row);
+                let of = |row: usize| &self.heights_m[row * self.columns..][first..=last.max(first)];
+                let (sum, count) = rows.map(of).fold((0.0, 0), |(sum, count), part| {
+                    (sum + part.iter().sum::<f64>(), count + part.len())
+                });
+                heights_m.push(sum / count as f64);
+            }
+        }
+        Self { columns: counts[0], rows: counts[1], heights_m }
+    }
 }
 
 /// The ground's surface between the lattice's points, in two triangles each, with its sides and a floor at `bottom_m`; its

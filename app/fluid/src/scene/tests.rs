@@ -74,9 +74,12 @@ fn setting(field: &str, value: &str) -> Vec<String> {
     }
     if field.starts_with("solid.*") {
         let round = ["capsule", "cylinder"].into_iter().find(|shape| field.starts_with(&format!("solid.*.{shape}.")));
-        settings.push(match round {
-            Some(shape) => format!("solid=[{{ {shape} = {{ radius_m = 0.2, length_m = 0.5 }} }}]"),
-            None => "solid=[{ keyframe = [{ time_s = 0 }] }]".into(),
+        let triangles = [("mesh", "file = \"a.obj\""), ("hull", ""), ("terrain", "size_m = [1, 0.2, 1]")];
+        let own = triangles.into_iter().find(|(shape, _)| field.starts_with(&format!("solid.*.{shape}.")));
+        settings.push(match (round, own) {
+            (Some(shape), _) => format!("solid=[{{ {shape} = {{ radius_m = 0.2, length_m = 0.5 }} }}]"),
+            (_, Some((shape, own))) => format!("solid=[{{ {shape} = {{ {own} }} }}]"),
+            (None, None) => "solid=[{ keyframe = [{ time_s = 0 }] }]".into(),
         });
     }
     if field.starts_with("fluid.*.sphere") {
@@ -190,6 +193,32 @@ fn the_table_has_every_field() {
         },
         ..scene
     };
+    // Of files that are not there.
+    let mut stiff = stiff;
+    let file = || "there.obj".to_owned();
+    stiff.solids.extend([
+        SolidSettings {
+            mesh: Some(MeshShape { file: file(), scale_m: 1.0, cell_m: Some(0.1) }),
+            ..SolidSettings::default()
+        },
+        SolidSettings {
+            hull: Some(HullShape { points_m: vec![[0.0; 3]], file: Some(file()), scale_m: 1.0, cell_m: Some(0.1) }),
+            ..SolidSettings::default()
+        },
+        SolidSettings {
+            terrain: Some(TerrainShape {
+                size_m: [1.0; 3],
+                file: Some(file()),
+                relief: Relief::Hills,
+                seed: 1,
+                feature_m: Some(1.0),
+                channel_m: Some(1.0),
+                fall_m: 1.0,
+                cell_m: Some(0.1),
+            }),
+            ..SolidSettings::default()
+        },
+    ]);
     let mut seen = std::collections::BTreeSet::new();
     fn visit(path: &str, value: &toml::Value, seen: &mut std::collections::BTreeSet<String>) {
         let kind = kind_of(path).unwrap_or_else(|| panic!("`{path}` is not in FIELDS (scene/fields.rs): add it"));
@@ -381,7 +410,7 @@ fn messages_about_solids_name_the_solid_and_what_is_allowed() {
     let cases: &[(&[&str], &[&str])] = &[
         (
             &["solid.0.sphere={ radius_m = 1 }"],
-            &["solid.0 = 2 shapes", "one of `box`, `sphere`, `capsule` and `cylinder`"],
+            &["solid.0 = 2 shapes", "one of `box`, `sphere`, `capsule`, `cylinder`, `mesh`, `hull` and `terrain`"],
         ),
         (&["solid.0.cylinder.radius_m=0"], &["solid.0.cylinder.radius_m = 0", "1e-6 to"]),
         (&["solid.0.cylinder.radius_m=0.15"], &["a radius of 0.05 m", "at least h/2 = 0.1 m"]),

@@ -2,7 +2,8 @@
 
 use png::{BitDepth, ColorType, Decoder, Limits, Transformations};
 
-use crate::terrain::MOST_HEIGHTS;
+/// Pixels that an image may have.
+const MOST_PIXELS: usize = 1 << 24;
 
 /// What an image is darker than white by.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,8 +31,8 @@ pub fn image(bytes: &[u8]) -> Result<Image, String> {
     if !is_gray {
         return Err(format!("has {color:?} pixels of {} bits: must be gray, of 8 or 16", depth as u8));
     }
-    if columns < 2 || rows < 2 || columns.saturating_mul(rows) > MOST_HEIGHTS {
-        return Err(format!("has {columns} x {rows} pixels: must be 2 or more a side, and {MOST_HEIGHTS} at most"));
+    if columns < 2 || rows < 2 || columns.saturating_mul(rows) > MOST_PIXELS {
+        return Err(format!("has {columns} x {rows} pixels: must be 2 or more a side, and {MOST_PIXELS} at most"));
     }
     let mut pixels = vec![0; columns * rows * if depth == BitDepth::Sixteen { 2 } else { 1 }];
     reader.next_frame(&mut pixels).map_err(unreadable)?;

@@ -224,7 +224,7 @@ fn hull_of(shape: &HullShape) -> Result<Triangles, String> {
 #[derive(Debug)]
 struct Ground<'a> {
     shape: &'a TerrainShape,
-    /// Heights along each side, by formula.
+    /// Heights along each side, at most: as fine as the field's cells.
     counts: [usize; 2],
     /// How far it goes on around its sides and below its lowest point: as far as a particle feels.
     beyond_m: f64,
@@ -233,8 +233,7 @@ struct Ground<'a> {
 impl<'a> Ground<'a> {
     fn of(shape: &'a TerrainShape, scene: &Scene, solid: &SolidSettings) -> Self {
         let cell_m = solid.field_options(scene).cell_m;
-        let most = (MOST_HEIGHTS as f64).sqrt();
-        let count = |side_m: f64| (side_m / cell_m).ceil().clamp(2.0, most - 1.0) as usize + 1;
+        let count = |side_m: f64| (side_m / cell_m).ceil().clamp(2.0, MOST_HEIGHTS as f64 - 1.0) as usize + 1;
         let [x_m, _, z_m] = shape.size_m;
         let beyond_m = if scene.solver.method.interacts() { scene.support_m() } else { scene.fitted_spacing_m() };
         Self { shape, counts: [count(x_m), count(z_m)], beyond_m }
@@ -247,6 +246,7 @@ impl<'a> Ground<'a> {
             Some(file) => {
                 let (columns, rows, shares) = image(file)?;
                 Heights { columns, rows, heights_m: shares.into_iter().map(|share| y_m * share).collect() }
+                    .resampled(self.counts)
             }
             None => {
                 let relief = Relief {
