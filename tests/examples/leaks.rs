@@ -16,7 +16,7 @@ fn main() {
 }
 
 fn run(leak: &Leak, settings: &[String]) {
-    let scene = Scene::from_toml(leak.scene, leak.name, settings).unwrap_or_else(|error| panic!("{error}"));
+    let scene = Scene::from_toml(leak.scene, leak.source, settings).unwrap_or_else(|error| panic!("{error}"));
     let mut session = Session::new(&brooklet_tests::gpu(), &scene).expect("a device");
     let steps = (scene.outputs.seconds / scene.solver.dt_s).round() as u32;
     let (mut most, mut fastest_m_s, mut speed_m_s) = (0, 0.0_f64, 0.0);

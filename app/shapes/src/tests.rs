@@ -413,6 +413,7 @@ mod files {
             (r#""mesh":0"#, r#""mesh":7"#, "no glTF file"),
             (r#""componentType":5123"#, r#""componentType":5126"#, "indices that are not whole"),
             (r#""POSITION":0"#, r#""POSITION":1"#, ""),
+            (r#""POSITION":0"#, r#""POSITION":9"#, "positions in accessor 9, and there are 2"),
             (r#"{"asset""#, r#"{"asset"#, "no glTF file"),
             (r#""scenes":[{"nodes":[0]}],"#, r#""scenes":[],"#, ""),
         ];
@@ -457,7 +458,7 @@ mod files {
         for (text, ending) in
             [(OBJ.as_bytes().to_vec(), "obj"), (json.into_bytes(), "gltf"), (glb, "glb"), (png, "png")]
         {
-            for _ in 0..1500 {
+            for _ in 0..15000 {
                 let mut bytes = text.clone();
                 for _ in 0..rng.usize(1..4) {
                     let at = rng.usize(0..bytes.len());

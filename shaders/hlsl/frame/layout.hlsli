@@ -76,9 +76,9 @@ struct SolidVertex
 struct SolidPaint
 {
     float3 color;           // of its surface, in linear light
-    float reserved0;
+    float gloss;            // share of what smooth paint mirrors
     float3 other;           // the same where `rim` is 1
-    float reserved1;
+    float reserved;
 };
 
 #endif

@@ -86,7 +86,7 @@ max_speed_m_s = 6
 pub(super) struct Case {
     pub(super) solids: Vec<Solid>,
     keyframes: Vec<Keyframe>,
-    fields: Vec<[f32; 2]>,
+    pub(super) fields: Vec<[f32; 2]>,
     pub(super) params: SolidsParams,
 }
 

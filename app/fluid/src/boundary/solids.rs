@@ -25,7 +25,7 @@ pub struct Solids {
     pub(crate) solids: Buffer<Solid>,
     keyframes: Buffer<Keyframe>,
     poses: Buffer<SolidPose>,
-    fields: Buffer<[f32; 2]>,
+    pub(crate) fields: Buffer<[f32; 2]>,
     pub(crate) blocks: Buffer<[u32; 4]>,
     block_count: u32,
     contacts: Buffer<SolidContact>,

@@ -19,6 +19,8 @@ pub struct CollideSolids<'a> {
     pub solids: Buf<'a, Solid>,
     /// `StructuredBuffer<SolidPose> solid_poses`.
     pub solid_poses: Buf<'a, SolidPose>,
+    /// `StructuredBuffer<float2> solid_fields`.
+    pub solid_fields: Buf<'a, [f32; 2]>,
     /// `StructuredBuffer<uint4> solid_blocks`.
     pub solid_blocks: Buf<'a, [u32; 4]>,
     /// `RWStructuredBuffer<Position> positions`.
@@ -46,6 +48,7 @@ impl Kernel for CollideSolids<'_> {
             &[
                 ("solids", Some(self.solids.id)),
                 ("solid_poses", Some(self.solid_poses.id)),
+                ("solid_fields", Some(self.solid_fields.id)),
                 ("solid_blocks", Some(self.solid_blocks.id)),
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
@@ -61,26 +64,27 @@ impl Kernel for CollideSolids<'_> {
 pub(super) static MODULES: &[&Module] = &[&COLLIDE_SOLIDS];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "solid_poses", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "solid_fields", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "solid_blocks",
-        slot: 2,
+        slot: 3,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
     BindingInfo {
         name: "positions",
-        slot: 3,
+        slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo {
         name: "velocities",
-        slot: 4,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_solids_collide_solids.deflate"));
@@ -89,11 +93,11 @@ static COLLIDE_SOLIDS: Module = Module {
     name: "CollideSolids",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 31820 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 43172 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "cc1609ef5a44a19e043b7a971fcc5b9b8dbf35e56b94141ec9bdc83e9800f300",
+    hash: "41a96a143bc51bb67b1adfda2d2e25d92912f8dcd245e1325e7d4c4cfbf40c94",
 };

@@ -25,6 +25,8 @@ pub struct ConfineDisplacements<'a> {
     pub solids: Buf<'a, Solid>,
     /// `StructuredBuffer<SolidPose> solid_poses`.
     pub solid_poses: Buf<'a, SolidPose>,
+    /// `StructuredBuffer<float2> solid_fields`.
+    pub solid_fields: Buf<'a, [f32; 2]>,
     /// `StructuredBuffer<uint4> solid_blocks`.
     pub solid_blocks: Buf<'a, [u32; 4]>,
     /// `StructuredBuffer<Position> sorted_positions`.
@@ -58,6 +60,7 @@ impl Kernel for ConfineDisplacements<'_> {
             &[
                 ("solids", Some(self.solids.id)),
                 ("solid_poses", Some(self.solid_poses.id)),
+                ("solid_fields", Some(self.solid_fields.id)),
                 ("solid_blocks", Some(self.solid_blocks.id)),
                 ("sorted_positions", Some(self.sorted_positions.id)),
                 ("quantized_positions", Some(self.quantized_positions.id)),
@@ -74,27 +77,28 @@ impl Kernel for ConfineDisplacements<'_> {
 pub(super) static MODULES: &[&Module] = &[&CONFINE_DISPLACEMENTS, &CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "solid_poses", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "solid_fields", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "solid_blocks",
-        slot: 2,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
-    BindingInfo {
-        name: "sorted_positions",
         slot: 3,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
     BindingInfo {
-        name: "quantized_positions",
+        name: "sorted_positions",
         slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_solids_confine_displacements.deflate"));
@@ -103,24 +107,24 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     name: "ConfineDisplacements",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 33900 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 45252 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "9d132c4e24c6941efba58d68409fac86e13908adffa9bade141c51c2c5252ab3",
+    hash: "4fb0c0e85472ff6340d8cd477f9e3498aa4d51d05d6ffff1ba183a05ad619c62",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 33900, bytes: 33492 },
+    spirv: Spirv::Packed { pack: PACK, first: 45252, bytes: 44844 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "866f6ea475a997a193798217ea373fc1a105d87de1325af839963f2b19595ead",
+    hash: "8d83d6a4ae1d03147942d96cb6f588cd2871b7e9578a53b4e0e07b9607c88aee",
 };

@@ -64,5 +64,5 @@ static MARK_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/mark_solids.compute",
-    hash: "ac2148c598f763a9ce37950264ed116c0acdb618270cdbfa8777850e70821627",
+    hash: "376d551ef96bb742b98f96a08d32a4136ffc6913076d38f48b95cf8c567b4943",
 };

@@ -49,7 +49,7 @@ impl Kernel for MoveSolids<'_> {
 pub(super) static MODULES: &[&Module] = &[&MOVE_SOLIDS];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "keyframes", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
     BindingInfo {
         name: "solid_poses",
@@ -66,11 +66,11 @@ static MOVE_SOLIDS: Module = Module {
     name: "MoveSolids",
     entry: "MoveSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10912 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 11116 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "0196c129c1f74a06c2f43106328dff4669979244db1d0b0c60917ad3791b3231",
+    hash: "4b92657711b8ed66f3bcff1183812630ab17d1f40b652166cd935d8eb0f01df6",
 };

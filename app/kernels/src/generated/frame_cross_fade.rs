@@ -54,7 +54,7 @@ static DRAW_CROSS_FADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "6d73191bc2343814e870d4a802e42418993ac1f1cc9544c6d3e132317b205eb3",
+    hash: "fe283f4ecfa0376694230c9567899a09a275e2222fd30e6a4f487299e4b01a87",
 };
 
 static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
@@ -67,5 +67,5 @@ static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "40df60e7e6a83232a7613fe3b705d801d3bfba7b029e113cc36489bbf80bfc78",
+    hash: "2d4e805d660a989e5d5448bb54fbb7527288a1d51d2c8e346d1f37feb7ea3d32",
 };

@@ -96,7 +96,7 @@ static DRAW_EDGES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "d9ca2524788084c015f549f096c832f29acec175fbb65cefe5b726c0ca7349ab",
+    hash: "7c560ab509a6efa7efaddad9821ba3b7eebefc11347a88107afb75de4918fa0a",
 };
 
 static DRAW_EDGES_FRAGMENT: Module = Module {
@@ -109,7 +109,7 @@ static DRAW_EDGES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "e6ce42bd7d251f422215cff7f1c35f4ba5bad78157711c74bb1a7987ec4bf6f5",
+    hash: "3def19f1824ebb1d599a6b9da034faaf8df349a377e0c26347a9e52517c8fe41",
 };
 
 static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -122,7 +122,7 @@ static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "cedb203c552b0a5a83a2ddd6d627a8d4ee468d26832a921db57d2536263fb354",
+    hash: "0bb9129a1e3c6af056f9aa63be2c628da35636ac16fc50829d8a434ec31e00e4",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -135,7 +135,7 @@ static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "fd759aaacc19a37f6327a6daa33bd0871f80977bfcda0f1f0c219dd89bc60e3d",
+    hash: "f9f257dc392422b08e6c53ec05dd50a664b0ad72c706fc0b62c68b773866c056",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -148,5 +148,5 @@ static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "a43d1eb821d2cbc6dffa6a1155336e46aeea3ecda32235f1029fdcc813cc801c",
+    hash: "ac0630e07dd0fb96f57b0460dccf25967ee4ae58430a7594ee4678abf44b1a8c",
 };

@@ -203,7 +203,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "aac27546dc3d688d29e97eda51241664c0790b46caa9948b751bb7339b60dbca",
+    hash: "f414bf5bf2b119a6cd7f80242d2060c8fb360d996a95e01517387ea8611dd7c3",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -216,7 +216,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "8cb3b4b71df53e1dc4057f1368f046f5cfb95778f4a74c364faa2556c1d4ec42",
+    hash: "fbfc1f61ef99e93474d59525b7380c668b66d902e3d92f675b1e79bfde3188de",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -229,7 +229,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "84fd219db6f609a349578a6afabbb0b20ebea8b2d73853bf87d992b423a2dd15",
+    hash: "e8658c7817e2bbf48d1d9a7b2bce5b512760c8a3545a9c98676def226c08e2af",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -242,7 +242,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "8d1abda159fd8d9bebb22eda2ad14617567fb409e3b9797977927df8f53437e1",
+    hash: "4fe51d7c3c1a199f562de9138b51b964529eaa950d26fc4f85b02d6e46c0b73a",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -255,7 +255,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "7a15b108b142af383a770c4a2d85dbef5005705cc2c0e1bb0359193879a4c41a",
+    hash: "7707a23d6479f337554cf96ba7e4686a00c55516c3860e7df19f3ab0394441c0",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -268,7 +268,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c0a0410b9319043aa0fbeec61b4cc41b156b1b93b8f35dac1b133029ced8781a",
+    hash: "23a406059f9eb5b796939b7ecb81f544bfd87ecb19aa5500585478f21a075507",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -281,7 +281,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "2734e255856ea8b68b57e2339d41db25b17831b868b5f21a4c1d8a1ee81d78a4",
+    hash: "c73773444356212e653673487863d2903fd596da48a0be51d453d578b9a1331e",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -294,7 +294,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "b78082bbc78a9e71ea6485dc785987f89917d3c2b4dab7bf7cb8ef5011aa2474",
+    hash: "e882af5bb864992654d338a476495e1b75da8861e5b4ffd7ebbe3f41b39f316a",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -307,7 +307,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "641acda6098d639a706b9225aa18d56d6308e24c4106aa24943d4dfc64f73e32",
+    hash: "3e65a90cd005adf8ca6c6f57c5d8bf9b793844fce07774e073a46fa5893ca9ed",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -320,7 +320,7 @@ static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "0b68fde5308185038ace2053e64ebda3c8250b3651b06c0a210b23f9b004234f",
+    hash: "71bc0d89bcd428242a6c7e3edd4568ac4229e2cb1f304e3b8b360b0f133bd794",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -333,7 +333,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "b99d1b8753f2d977c04752388fac43d00699522ae29d581bf5c54b26fabc63ec",
+    hash: "c8e4e9d7562ac4353cf3473f33af424ba62592e51a4b0e71e8a348d4151ceaab",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -346,5 +346,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "327d546c1693bef198c57f0ff3e601da14758dbd2971d9fcaa2666cfaa0bbdfd",
+    hash: "29285ddc84311a18d5fb61f8f8664f0b7ac4d4e4949aea0b2d3d65251431cc14",
 };

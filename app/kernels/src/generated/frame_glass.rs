@@ -100,7 +100,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_paints",
         slot: 6,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
     },
 ];
 
@@ -126,7 +126,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_paints",
         slot: 7,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
     },
 ];
 
@@ -143,63 +143,63 @@ static DRAW_GLASS_VERTEX: Module = Module {
     name: "DrawGlass.vertex",
     entry: "GlassVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4368 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4456 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "8ebf6a3301026782665fd60ead1c9b5195b8df946d1fd37fa756440ff722e507",
+    hash: "725b8c3d7a33a98bee3d103f73cc5edba63d147b58cc61559dfffc912f2a72e1",
 };
 
 static DRAW_GLASS_FRAGMENT: Module = Module {
     name: "DrawGlass.fragment",
     entry: "GlassFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 4368, bytes: 6600 },
+    spirv: Spirv::Packed { pack: PACK, first: 4456, bytes: 6600 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "b84000cc29164495ae03bddf4206306e337bbc450ca5984c0bcb76a4afeaef3b",
+    hash: "a8d2c64a25b2005848145425e6c774d4df2383647d633bd065c1aaf45008744d",
 };
 
 static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
     name: "DrawGlass.vertex+BEHIND_WATER",
     entry: "GlassVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 10968, bytes: 4368 },
+    spirv: Spirv::Packed { pack: PACK, first: 11056, bytes: 4456 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "88dd944e725868cd8de5b7d66e4e20ce71fb0d20a215c555c325c43205b1c5ca",
+    hash: "a85f251c12adfa10f6a8daaa9f67db18055a6c29228e54f63da7de719fc5ce27",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     name: "DrawGlass.fragment+BEHIND_WATER",
     entry: "GlassFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 15336, bytes: 7352 },
+    spirv: Spirv::Packed { pack: PACK, first: 15512, bytes: 7352 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "ea6842eb8dcb18134ccd233a892734fd0dbd3e080630f1089ed4f45b01a04d79",
+    hash: "abbd82ee842472a6611289992ab3e5a3a4f8c3cf127082e6bf6c1a399e97e9b2",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     name: "DrawGlass.fragment+BEFORE_WATER",
     entry: "GlassFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 22688, bytes: 7368 },
+    spirv: Spirv::Packed { pack: PACK, first: 22864, bytes: 7368 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "40ec62eec2ae46c89db96f9b24b3862f95efb7e6b880b6a87453ec36feff44bb",
+    hash: "b50d744b418cc06f153299e2cc283b01ce738f62227c604bc22c4c34baa3e436",
 };

@@ -181,17 +181,17 @@ const _: () = {
 pub struct SolidPaint {
     /// of its surface, in linear light
     pub color: [f32; 3],
-    /// `float`.
-    pub reserved0: f32,
+    /// share of what smooth paint mirrors
+    pub gloss: f32,
     /// the same where `rim` is 1
     pub other: [f32; 3],
     /// `float`.
-    pub reserved1: f32,
+    pub reserved: f32,
 }
 const _: () = {
     assert!(offset_of!(SolidPaint, color) == 0);
-    assert!(offset_of!(SolidPaint, reserved0) == 12);
+    assert!(offset_of!(SolidPaint, gloss) == 12);
     assert!(offset_of!(SolidPaint, other) == 16);
-    assert!(offset_of!(SolidPaint, reserved1) == 28);
+    assert!(offset_of!(SolidPaint, reserved) == 28);
     assert!(size_of::<SolidPaint>() == 32);
 };

@@ -65,7 +65,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "f0869cc546cdecd4e3030a3fcb8c78e762dc0dd5e5d4656f2965290a1c69dc8e",
+    hash: "f93663ed55c7f40d52861aaf771cf4c21661604c16ede3279340ba95d4d1d4d9",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "b1d68c87949881d05d57039075c95b97c97a478db8f45dc13c330aacfeb889e1",
+    hash: "cf7064268e7f6fd5d3efa77eef597ec56abd19c1fcff210ae8bebeb1d2f72c47",
 };

@@ -92,7 +92,7 @@ static DRAW_RESOLVE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "9673bf2e9ea211666a35a6a51aededa11a751d0eadd7a6d617ba3d6e8c9412e5",
+    hash: "176b0659ffcd8ad595be04a393a1a665c0f6b98e661fc5e66a6b1dbaf2f9c07f",
 };
 
 static DRAW_RESOLVE_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "b4a0dba9ab7834f302f514e9a4581b78bea09e885db057608ca44d8fd0f49b11",
+    hash: "f4cc91ca289a2229d6ab76275d6c41027e31da6971f712e544c28a2d1d768887",
 };
 
 static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
@@ -118,5 +118,5 @@ static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "34e440b83ff8e304b664c28d1a156ee54a677386a02492f61c5970c650593a3a",
+    hash: "5c51fd259409cf9145dc5dca1e0a126b1a1007d6aa191e441826cef5e03322a2",
 };

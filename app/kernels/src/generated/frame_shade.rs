@@ -183,7 +183,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "3f094264cafd3da060d1e10c04d4e3d91c8acb2d3f83663d6f6201bd23a2cec1",
+    hash: "eac4ec6829887bdc74b3c49b0f237be5b022cf99a6f4d886471ad9ff824fb3af",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "4d53934bbc63410675952dba6da28057f88923601832fa8b605eb92cd9d74505",
+    hash: "71036ff1b6510436828eefbb4689652e1750bc98fe2a510b393e92a3d0b1ec6d",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "18d266374b7a714aa9bceca5474ca778ab9530853d12223169af8d6e37100306",
+    hash: "3a88538f7f700bfc40f96d8c4e0b939cac269c685e4ee4ba2beeca1e0c0dfb2f",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -222,7 +222,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "6c50f727496caca0c613cf6ea3a37aa476e255b578442b63a2ce954d656b1135",
+    hash: "c23dfc2924c99b55db4afe5517ff533b4479f5274c5357a1fcc060b1cb9ed846",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -235,7 +235,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "2592d11a58902991393de2c14ef81355d27f4641cb2fe8009839dbbace22741a",
+    hash: "09ac213b6761a93462ac3e947f5e57dcbc1adf0747ba76dd550f67916d1ae690",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module {
@@ -248,7 +248,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "46ac9b5256379e281b09682b62ab8f94330291602baf8b97dc29e354d6691924",
+    hash: "f9050c73ecd41bd20768b033d64a23a1b2ef16846ae44ac36cb9b289d5fc2ee6",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -261,7 +261,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "9f371634f913b3bc356ecf690f59664979935bac91fe7ac1db9047b5a4fa0ac6",
+    hash: "2634efc4c2659a94e21d90fce6f5d5cc057d9c5309a714349ec8f3697bf535ef",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Module {
@@ -274,5 +274,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0737e156460099d9d9ed787e98a29611e65397f828105d93d263257141c26e71",
+    hash: "46129b06f172caff9fa0fea7cb6dac33c64a5ddc285bda2b5919db38352858fb",
 };

@@ -58,7 +58,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "cfabc3b593448ed7b9186935a80533213ead0a7c7ab31bcb5a5c0e8d54afcfbb",
+    hash: "e4b24bfdef1cd0b81d1bb41cd71f3031759b3a9be984db2f8d4d73c562b07c11",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "928d5d07dccddf00d5e870d61f9a186782fc0d30f4c416563d205cc07d0a80e4",
+    hash: "c1ccd61d8a7c64589ee885e8039bf083572b8b9ab3201f7ba6abf87c573ef22a",
 };

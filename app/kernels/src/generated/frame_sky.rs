@@ -48,7 +48,7 @@ static DRAW_SKY_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "3a0ddd7975997045ab0d721d1ead16d51dde644c94ebe60cc4ba6db4dc3121e3",
+    hash: "e0b4e608af3e511ae3b4648264c48ae2c6c46c1e74169091daadad3470e291a7",
 };
 
 static DRAW_SKY_FRAGMENT: Module = Module {
@@ -61,5 +61,5 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "d991e1c1e0ee33191ad141868b0feba8d27895ab2515f7f03cd0a2a1d3296a9a",
+    hash: "cbbb25a4e71425733d43a1dd49f987bec4d0163131f99a97519f4fef2ab0d12d",
 };

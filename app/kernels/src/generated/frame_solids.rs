@@ -113,7 +113,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_paints",
         slot: 7,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
     },
 ];
 
@@ -140,7 +140,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_paints",
         slot: 8,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
     },
 ];
 
@@ -168,7 +168,7 @@ static BINDINGS_4: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_paints",
         slot: 10,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
     },
 ];
 
@@ -188,76 +188,76 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     name: "DrawSolids.vertex",
     entry: "SolidsVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4300 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4612 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "f8f9dc89c46065e27c0bd63689a79bf85ee37f2da3ea2ea79406a5fe6bb4f173",
+    hash: "8a454dc63559fd3657af42dc87b9ae64d2b4d186dd20901b79b353bff250ec64",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
     name: "DrawSolids.fragment",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 4300, bytes: 9796 },
+    spirv: Spirv::Packed { pack: PACK, first: 4612, bytes: 9892 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "14ffa7ceee8353785ad3379e4db29d9fc5c42e0247a23e7f7a1f4d377e80c605",
+    hash: "b2b104c34d974f5b68662bfef0a99da003f1126a79757946b9a602e519446e6e",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
     name: "DrawSolids.vertex+POINTS_SUN",
     entry: "SolidsVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 14096, bytes: 4300 },
+    spirv: Spirv::Packed { pack: PACK, first: 14504, bytes: 4612 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "cfe155917db78c9a39836c3ee0f6bb99cfbe2a8375d691a4c7038b783b035883",
+    hash: "bbf3e576655fe0d646141081d381d451a009b4cf5711fc81ff5cd93b83ab3148",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     name: "DrawSolids.fragment+POINTS_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 18396, bytes: 13476 },
+    spirv: Spirv::Packed { pack: PACK, first: 19116, bytes: 13572 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "6c89ae9e2b9fa1ed99e046e80a653ca81af30ba624d777b393650969ccb49ee1",
+    hash: "f1f502be93bf60548d4bae02b2029a183383226437a7464af5533f17d5c24fc1",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.vertex+VOLUME_SUN",
     entry: "SolidsVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 31872, bytes: 4300 },
+    spirv: Spirv::Packed { pack: PACK, first: 32688, bytes: 4612 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "45db5a037053c670384fd58b721d9337cb443c5e67b19a76b531e8a2114afb67",
+    hash: "97a1012791bf0f0de2d48fad9fa25539e7826500a16ecdddbad027a8ab63bff6",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.fragment+VOLUME_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 36172, bytes: 12880 },
+    spirv: Spirv::Packed { pack: PACK, first: 37300, bytes: 12976 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "118968eb66e4b76cf64cd52e1f84c8ea896ac35d2cc99d0ba302425e78bd7525",
+    hash: "729817e62c6446463f4b36cd087c9052f1bb86aa1a401ccc696d0dbb818e3805",
 };

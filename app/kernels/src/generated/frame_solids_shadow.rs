@@ -74,7 +74,7 @@ static DRAW_SOLIDS_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "0d0cfa4a5ec0eeb37aa7d414655d8718ae8a31ce01fa183f38177f5240184ffa",
+    hash: "01e310ee52903d3bb5af66efd47317f562a8fe5c2a24bd803b9e6a056ce0fc00",
 };
 
 static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
@@ -87,5 +87,5 @@ static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "4b87a28462062a0983cf46ccc5f43c90a040a5e1069fe010a5e91ab72b5d412d",
+    hash: "3ce64821c8050f2c6432025e00a4dbfd5d63c4b178c5fd22dc4d9c0d982c38da",
 };

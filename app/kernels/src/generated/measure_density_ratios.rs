@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "066603a9a4438139a0564acf39cdeb8c1daee71e087cb6a9aa0c079924290d18",
+    hash: "c5f279f224344220d9be73dce84432fc355352436f532974f6dab52c6c15df95",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "cf658cccea3175c0dba4419fa5de5825f1ad8fa3bfb8abe856892d976ecb0afe",
+    hash: "4ed6e304cb38533af3ecfeff1aefdcd5e8a6682cce720eff3e83f2c5a42f68e5",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "c52fa800460e2cb80ee9eafdfd89d77fc0d127e43e2b65d9ad367b7a6bdc97a0",
+    hash: "4e99c2f2c23f76a5282ccbf26e820f944c64d460eeed35e5ff7b3096ab815466",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "8bfae98e4b2b8fb939d3c4b988358189756bd29f0561f3aac3fd2e0b5f1d3b63",
+    hash: "bed7caa44da5b9cf1f0085077788dab546c8b91d18b2f2d738ad877a5657fa37",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4fd8c9d0c502b080db5222f582c83a49f92cb573a82978e585b7ff18f6a55589",
+    hash: "7f5883d4f9a2815d109311435db59cdac31224b3bc1362ad236e66f23ddd54d5",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5d27d3559a811dbdabf0db930b5f04c3c97954e431fdc85ae6a731fd2f9db3e5",
+    hash: "a0812de7ce4955a82d1f8c8abf2dc89316da297bc71103978d0c4b775aa1b75a",
 };

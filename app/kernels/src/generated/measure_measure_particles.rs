@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d6db4d257a507e37cb2dfc99b048107ccaeb97fb831e1d08a142ef47c58eba0f",
+    hash: "9c752750f6ef4d4d40c057464a55e9a997ed07d99da68d9c9f5c6e63e7c1ddf2",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e6ad36c7ec8b111c145b50cc2419f86de85b8583a0c932a1b1c7c5e6c8180646",
+    hash: "02ecf1954b6ad3d2d2e557174c8133c61826d8bcaf4137458b4f524445022fd0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d5bf4decbc6ffc90b14ca394e792812b90803a6493704dc6c2559fb804d78a30",
+    hash: "16391bc50ca66f165b276881e88bddb50c97c7176202541e60f4bca2b0ef27b1",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7ccad16f1770ab19f8cb25a6dec9fbff7a55d36e1c72d77d3994030b5edc29ce",
+    hash: "b11e05b7a4c1cb34a3cd228debfd33a05caee7f07b37811a8bbfb0c354bf8820",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0bb566c7b64fc247c2ae09aab0c5e62802c3fadb401e9df8c3463fc6f0715f7f",
+    hash: "5b605e984e619c85c60ce0875027ee870019077c39f383c10434335a243f10a7",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "01e906094791597cfc2bfa312554217049268644a42c05c4e03880d08dc79e37",
+    hash: "a19ad442149e4a0eec4037c51313ee32426ede813e5ebe2eb563ea658941ded8",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "4c52299224851dfe09975534f79bb5014a6263ede88cd6daafad99f695a7c972",
+    hash: "2f5e271b924780040900288677aacc6d22b3692b3be8d8a8500408cbc8c86675",
 };

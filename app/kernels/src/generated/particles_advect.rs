@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "fc516c3eb041caedc834ef1ad2c474abf940973bb57d0636593c3c98b613fc26",
+    hash: "d30e7e1c132ba4f27a1c489683831d67f3a31a52673686f4468604f64779e316",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "9f74ad24d909f9f339d89d81b400991b491de39dbb34ebe01d89ffcdde07dd10",
+    hash: "d6c976a40d2573b4167cc937d69d249b521ed9f19b37120d9531096a88b25f85",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "b134c4d3705aae106a976df52e1ce5c2dfbc3db9e122af0b8466df8b41a0800d",
+    hash: "5bcac7fd6a2352c0978e9263b9f7462222cf8eeb6f60a7d3b8a57bf2ac2da7b7",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "5c12aaec2bd2b7fd06a01c32adc2ac6ab8cc2bdc8392bdc02ce45afba0a305ac",
+    hash: "127366fe1ce0f54e6d99edd83033fff446b102bd50893716b1d625735335164d",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "97e245bb4c4d3bf0dc32ff016d764c36ebf8212197946e122824c486862003b9",
+    hash: "efd3fcf0f9d01d87ba5607e8c5d28be34205fd3c993e3818389ebcd72a45984f",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "d3c5a6f447d52d3328155e76c5221da3e5e8463f9d9d8795cbf01cd36b18b1fa",
+    hash: "d9055999f20360652e27c6c02d3a821a193bd0a98970a774532e5854c1f490b9",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "8e71069de8503da80cdea2b85ba66ee1a2221d0e96d9ff7998ff7950879b5ea0",
+    hash: "8b43c2f3348df2e74b60132b03c9f847d397802388172b9ed410fdf121cf8ec9",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "87bc840c7d2ff85667b16a28d62bc64c60ab48679f53e872edf7e5dd401e6f22",
+    hash: "1e949133f46fa58964d77fce6cf299dfe5bf999c697f9d34b96e4f01fde77d33",
 };

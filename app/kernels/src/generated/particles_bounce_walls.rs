@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "4894e1c78e3e8f63758f9f541dd60e6c344b87729dc1bce63de20082ae5c1c71",
+    hash: "1bb63e2a7a3b9a5a2ce2915886da7eb51d8a876116011b5c613d52d53e24e350",
 };

@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "d7b4e7f94bcc6ffde991cf2060cdb43149b448a0fc742725ee08e124c45baa5d",
+    hash: "9f0db83dc3d590f5ab7b1443d25a397b29a8af651f3d8712c233204cae94827e",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8a0044884a24acb2bfc988951b50d755ef2ae9fbbf2eb49aed34ce543307c86f",
+    hash: "6a6e396c9856ebfcbe4a7592e4e36711cb6da41644a7defed8d8e74912ef3f2c",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "8c317518187a48968b914b880bbab0e1320ee0debd365a20d53cb59f1335144d",
+    hash: "08a829f7ff029f48f7352fa13ca01491cd350c1598bf55ba6d9b7ad34b3919ce",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "ee22ab68a1c83ef5fac5f3d6318fc501e654458111d73c0e594b7bae90be9850",
+    hash: "34690387a0af74b65423e5fbb2eb51381cbc00d45624649cfeebde7eb67ef352",
 };

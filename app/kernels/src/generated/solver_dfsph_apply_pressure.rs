@@ -175,7 +175,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "e13e063c1ce8bb5a17b5f444e4ab1fe35d9c1756c33a648bbab85762f68cad5c",
+    hash: "eef15b3c96c2851a5034c391a1803ac1c5c4f3e1217f583405cce2cfbb81d655",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -188,7 +188,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "74b0ec25353f641617bcc95da88ab81f70929d1361efbcae9eacc9adca200788",
+    hash: "3946cd68e362a7abb47040cea3bec1c974bd69ac05364dda335e6ad2f99e2d5f",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -201,7 +201,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "51f8b75a2afc84feb1868d836a49c3ff4120a64c43d29eacc089db3d50c91f75",
+    hash: "95285c416fbe578ff3196b75146e9e8d4b752169fb5e90da1b85494c3b9df29b",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -214,7 +214,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "80e4d1088bb4431543d10f824c142e798ddf81dfa5efe953002c2c3d8fdd8cdd",
+    hash: "e526898daa375a375faea65e116ab29b3c8efe29211c19fe13da6bd645f6a4ef",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "841b0ed7a6f7429c9a5757b1d64a93dfd43b7bd69bce6c6f95274282517c0343",
+    hash: "1b7efe4aa1eee071f02ce7f2b637f15c815d7072dda66ed0bcb67eb4170f08b7",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "a4eb3b83354447898ca9719445a8488e5f2fc8ce28b6496edeb9846bdaea57e4",
+    hash: "492a8cae2ce80f28b68c5795713d2cf5f882b87a636d1da93ee4fcddf0b0d1d9",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -253,7 +253,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "63a06108554be6ffb7359713ba3038974ad90479399eacbe106afdc7b6394694",
+    hash: "775540c04ff9f4d99eb7a88c02fa18d9a24a842dd9f8334293f9a4b58924ad67",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "778a9df930f611de99ee6f25562cf423f844d150b1102e092715918d7af943e4",
+    hash: "a14df8a41217980468aacf781720824dab908a26da4610109df213ce918539a9",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -279,5 +279,5 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "95635ee813f98bb20e3cb3a0672e6077af9572aa0d97aa08df9877abbe4fe1c7",
+    hash: "182a0cf68fcd170f4cb8b90e8a9f05a646cf0eb33001be89f5b7f92bdfacff6f",
 };

@@ -214,7 +214,7 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8787afff7e948dd66f5c6c793e8fe373c0d31a9386ddc61a4b06da102efe1b2b",
+    hash: "10e381a850642ff2d28dfce4d09b7097f35f3ddc1c70d1796510a52228cdd70c",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "2e95f46770d2b0f530315fef5a8026056c441f0c6c5ce7671f6b6ef1e63b5fb6",
+    hash: "747760a30083954b7f84a42ec303f17085b144a4fa06c781cdfd399c90298ea6",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6297c4551ca809a4c3f5e6d1e7680416d4da47728ae7c11f86af3621f518104c",
+    hash: "b0012e658e28f5d8110f170734942280c4093752ba4a6a7598b3306d83b50f72",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
@@ -253,7 +253,7 @@ static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "a913b76b30f4ce66d8a0c8726f2d4aa0915bee33812ce4c0e4deba5009cac423",
+    hash: "e9e5c88282127e650262fd900d391e064879a78cb11bf105a51bb5af07d37f1a",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "53a12b83bb79fcb8ce12bf6074f60dfbb7be377e8a78e3c8315e7945dbe0d23d",
+    hash: "fe64d45c7a0e72367ad415f5353a266ae9dee83235d46dd06292c799f9630ea6",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -279,7 +279,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "a4cef861c09da18002d3356d680697463bb115a18bc7cee257ca7eb95ea46166",
+    hash: "38b4605f4204440767140ba2970dd781c7f22c2112ecbe1411c32230601966a4",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
@@ -292,7 +292,7 @@ static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "128f433566d7ba19382115e888c8e8217c06d1e2607b2ba55f3ed46accef3bef",
+    hash: "d4a4b0061cd69a81f0eecf47e55824d71dfea841770586b1358232ddf73e3ff5",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -305,7 +305,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "21a689ed2035ddb24a4d0890449a392ac29a4159753125266fd442619758699a",
+    hash: "27915fcc03d18f56381a2f61540b4511c9ea85ea08fef830f3cd58decbd84e87",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -318,7 +318,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e8f9743f8fe3e1cb4bab9099963516e1e1b6e5cb9b09c0b0f76bba3055cfc958",
+    hash: "b50da8141a77cff57350d0c75a654e4cd6c5f826b13d4400cd235a63631507a2",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
@@ -331,7 +331,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "68343aee172db105f670b98a612f79890fed3c8193492742e19ab3a9c88cf016",
+    hash: "fbfb84c6b6b700ce9406e0b9dbee0869f1eceacf5402065c98b9c876b65febff",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c7c1d7af5b2fcc4dc367e596901bfba185b9985299439d67454914b8a3ceab7b",
+    hash: "78fdaad2521b7ee29f99ca79454de44a35682e7f4a2813b413b6e04b599c2dd7",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -357,7 +357,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = M
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "1e9a9b575d378eabc3656aba0d81b315867681edcd21a83d87190b430cd9c390",
+    hash: "0c236015ca8f4d86de022e6949e3d82ec63fa286cff034c2d499e8ee73dc64a4",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -370,7 +370,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f7511952eae5ebbcd3cf9c74b16c7018a6d480e1697a31505d9df5842fccc6de",
+    hash: "142335833f9e1194b84d58078d48c653f3fd51dde820e0f707bf9bde417f2447",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -383,7 +383,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c8c2551eaca092fd848126bcc7b5e7a3f720eea08d4c8e2e4931afee5c6cfcf9",
+    hash: "db6342ed039b2a09e1dec690450893d55459dba31bc92aef037fb2cb69c7a7ab",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -396,7 +396,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c0e2689d741f6e7162755a9c3b2ea252950d95dc9a09308b349b02519394d3ef",
+    hash: "7566d0189d4fe50c151f63b8b6f28200fcc46e93d0047eefbddbd17d44d3d45e",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
@@ -409,7 +409,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8b39d95aeaec8bf79259baccf1dc33856883bf9a33f4d9bd81f007bf6e3d4ca1",
+    hash: "e63ba7f6d5e0cb8a3ff2b61d15d4578b5136139e9f676bb3e642d4633e90c54c",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: M
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b19971b9b6306abf5c5ed7f9f390d780f169dfc570dc4a5a54a5654bd188fb84",
+    hash: "0c8ba5c9f0a68834f97c325e6c9ddb7f5616dc0fa7ce00fd2adeb0b641b2eb01",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -435,5 +435,5 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Modu
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "ee2dca67e90808b3566844f946b924f37affa3b73df7d7901810602b475c7457",
+    hash: "8f3d348a3a992c553fc518ecd8e54ebe5837257c26e309a4c066a361a8145d87",
 };

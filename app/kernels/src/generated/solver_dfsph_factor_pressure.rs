@@ -184,7 +184,7 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "a38a0a68b273c4307d651a024f0f737361fd2fa0e281456aa98079e83d46e0c5",
+    hash: "40af6086b71b5c09b7e12b110f3d2c4a1a08a06f0f02ec7606c9ae8a76510f61",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "13ec867fc73e167573039e92abfa35fd521fc2f64eaae5643ded53462f61c5d9",
+    hash: "f0affcbe674a64e5f66aa6183b8ca71a7ce01b652e4ea0c2da64f9737e028798",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "2d331a23a04b90fb42a0265f617d92045786a0f02c2927558a4bb466673e2f5a",
+    hash: "e5f7190c6bf174c893dacb3f9eb51f4cddf157f1cac4ae57124de0fbbbd3b152",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "5b582ec1e5744345e8e141db6f882b616b37d653c18d5af16426c70f3d9e2ff6",
+    hash: "baa3e7225c3ab01a4faa38213620979c7b8b126b70b1f13f72b1e8ab6d5bccad",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "0903f8fcc7748930b626c71c5efcbcbc055a815e09c8fb8a81fa621ae41d3091",
+    hash: "f098008f628b4a80fd6d679ce4be1ae516985521fc96b03f24070675e8394250",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,7 +249,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "74ecb64fdc474b1e59eec9882bb7cd0f135c0b6adf05d451a78c62e40fd944b4",
+    hash: "5345cb263af5808805e4d9841a473dc40cd654b816463681d39320da35ec8a02",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -262,7 +262,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "af0767c526f7b93b2ff34e8269373d9f8b5c5350d93edd26ce2a7baf68367fa5",
+    hash: "626b15fe13d1c02a982b2b80bb01677f4a1219d9b7338ce905bd0e4ecf83f2a2",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -275,7 +275,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "116f5a7eec1589e16e5d330fce79db8cf37685a142cee56a27be49fd9fe2304e",
+    hash: "774bbb3e701676cb2ad079e9da75e6b6c6f2a8081d091910d0f753d57869e99b",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -288,5 +288,5 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "f87274de203a61ecf7d5a025048aff821d9f6b0e25dde43b841f57eca4ac24cf",
+    hash: "b8e0b99b41e474b4bc1ecd6a79092663052487be1a27019af0b14ba2249dc1d3",
 };

@@ -39,6 +39,8 @@ pub struct ShiftPositions<'a> {
     pub solids: Option<Buf<'a, Solid>>,
     /// `StructuredBuffer<SolidPose> solid_poses`.
     pub solid_poses: Option<Buf<'a, SolidPose>>,
+    /// `StructuredBuffer<float2> solid_fields`.
+    pub solid_fields: Option<Buf<'a, [f32; 2]>>,
     /// `StructuredBuffer<uint4> solid_blocks`.
     pub solid_blocks: Option<Buf<'a, [u32; 4]>>,
     /// `ConstantBuffer<SolidsParams> solids_params`.
@@ -70,6 +72,7 @@ impl Kernel for ShiftPositions<'_> {
                 ("step_params", Some(self.step_params.id)),
                 ("solids", self.solids.as_ref().map(|bound| bound.id)),
                 ("solid_poses", self.solid_poses.as_ref().map(|bound| bound.id)),
+                ("solid_fields", self.solid_fields.as_ref().map(|bound| bound.id)),
                 ("solid_blocks", self.solid_blocks.as_ref().map(|bound| bound.id)),
                 ("solids_params", self.solids_params.as_ref().map(|bound| bound.id)),
             ],
@@ -115,16 +118,17 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
-    BindingInfo { name: "solids", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "solid_poses", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "solid_fields", slot: 5, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "solid_blocks",
-        slot: 5,
+        slot: 6,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_dfsph_shift_positions.deflate"));
@@ -139,7 +143,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "980db6a4c59f2e24dc426799c497c8cbb0711e4096ea7a77b050fde7389fcbb7",
+    hash: "bdfd21d77db0917957a52f07ae9ddd8b16cdf21993a1dcd4e4215de8cc33e374",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -152,7 +156,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "61b2b610201294210d5289df8829ab3323a1d59f268b1762127857a9170cf502",
+    hash: "9d04f57d840fc44a63e7ec4ea8dcf78455a6819dd155120ece214a4ed15532be",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -165,7 +169,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "aadffebbaf1e2d7287f8f5b3ee4bd6ce748e44095518de374c89e50c70c97c88",
+    hash: "a8080f844e28776476ecd3a96c3ede2b5fccce6c9b8ffdf45497295405221c02",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -178,31 +182,31 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "4b4c1d8c73f3ebfcf30871796373d3150478f246811b188bd8253a7729ac45f4",
+    hash: "619aa181bf658c603b16a9fc30333aada594aa5b17120eb133316fa48fe4c42a",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "ShiftPositions+SOLID_WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20808, bytes: 32352 },
+    spirv: Spirv::Packed { pack: PACK, first: 20808, bytes: 43704 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "e66d09ca3af5ef6c27b4a5180f1456b64e8fd2a776645c3c933ea0cd477cc92c",
+    hash: "7466d3a1aff800bb0ad317ea6365fad176f7159fb3a28fcc65b3d52955a4ab3a",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+SOLID_WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 53160, bytes: 33320 },
+    spirv: Spirv::Packed { pack: PACK, first: 64512, bytes: 44672 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "f8a6499a47f8ba1ab950aa29ae15071964c3cd644b019a5b8948eb21cdfff7a9",
+    hash: "460cf1ed5a3448cd6afcb74261bb2fd02b57793493d23bdf614a0426905126cb",
 };

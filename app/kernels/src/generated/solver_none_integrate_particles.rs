@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "fb9fb5c2b88292631bed3093e1a6000d9e367a9f1dafb92b25ee2978df5c8c51",
+    hash: "d99e1d35b111fc788243fa58341a42059c86bd3a34f9ef9870746c216cbe065d",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "a7011404582ba4d90623cd2aaeadb6a5345218a29a6de63a2c92bb867ca82586",
+    hash: "2e2800b2bcd8c82aff969e5536c4666be8d153ad6126cc8e223963b9f2628314",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "465f9c784750adf0665cfa977fb85f804e28ceb068628a432b7118f0857f1f43",
+    hash: "c05d5e5c336bf0c74be1f63557a3c3754f059b74b93735ff82e18ef3d82ab31a",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "272b056156b90cd4c0f501462645a59f524cd31dc9596c69bc2a4dc10ff0d307",
+    hash: "22a52dd34fd3161c2657ee3e00765c75dc6ea9b7e5120e50c763e8d8fdd05820",
 };

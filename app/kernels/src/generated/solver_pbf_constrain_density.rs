@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ad9a83e77202b283d4926b4e9cbdf680b41db7380c988fca826d1fc8028b9d24",
+    hash: "d1b2105b057276933326752747c5f0cd7094ed2820d96d3829b038678bfaa491",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "71f30cf2ff4611d053a52600aee38d8305d9c8f4609fbc963187914372226842",
+    hash: "b22e107fab95919160c10e1653e911ea4c6e2e9ff18f4ef1a229a2bb386bd87e",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "99307c6d89605f9706038607a956deb733bbfd8fd0f279e8f25700a7af61ea63",
+    hash: "281b45da0b9ad2efb3dab29f4fef22e683f9c8b29c3ff76cfe1494982c2126b1",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "81aac6ec5904109acbd257ee0f0131d1b902eaf58e3c5b805f5a92b92a628e12",
+    hash: "201ec443454afaffc860d6773aa46913d6a4b48dcefd5911c0fb4fec49f77c37",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4876cb1ed0775155bda7133d05828dbf404308eb37e59924318fb8b16c6119a0",
+    hash: "f6da65d2403ed4720f2a767806b9c6acd55644e14a4faf0f5c138dd7f6df780a",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0aff6cf46a011424091670ca4d4a186fe949965bdacb355c7fd01a0ecca333b0",
+    hash: "69ed36a08f322d78b479196acc940be8e94ca413354b98f91fd356c17662b999",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a311780b44c2118971acc2be95e2991f96c1a447fe09c29b72e98f210f48cb37",
+    hash: "6783497b51a2fbb3ec6a75c71770eadaa2d333b3e2c3bd09ac79213eae9d073a",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "afe2b7266d8e8c9439504dee134d0a60cec62b7a66613666d13f159a7cf714d8",
+    hash: "f09b0fcdb5adefbc3b28004f835676e2847fefb33050234c2009396f4d047887",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7a71f614a76f86505ea7ccced8aa459ad8a38ac15f16e7726cba4d6750fd926d",
+    hash: "026ae489f7d864b8b762e0aaef6bcf88029e44274bb45d37170dc379b285b391",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d70e50afb976d0f46c2ce3469b1efaa6abfa0e7ce009cf3992214552f0794386",
+    hash: "f7a69b8300afcb340aea83c86e01ce69a7fd462a117ce0b242ddd76c2ebc51eb",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fcfc85940159d8bf4b556098c5a3f2d34c0a7d72a388a22feb265dd4f5fd0e36",
+    hash: "e758dc858d38772da1e535f72eac37f2cddd34a5b0f1440b3f4430d54ceedeed",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e10d49e362c51edefd23b3555b49831e55468d87aa6a9b89f45546cca0c57b11",
+    hash: "6ff5a42b9d5975b3b9f62b689b2750505799b00303d63fdf6f3b7823e8b36176",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fdb277015c2a76bbe317976d9826ca07fbf5e7d8c7564857db7ccd4e53b6ef95",
+    hash: "cb0e8b83cff7fdd59b4d747b0ec68284394afedc531580ce653397242b2c774e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5a86a9c86e65cae3a7c28523e403d8819d056b5b835b2f86c46ff96675c954a8",
+    hash: "9ed490ed23196cd3688f4802f1a27468613c3e492cc9f68bbaa1d01cd5f45fa9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "90745aad34b79a9ef261c0d5d964b42fcd2bfa11acc035ce3198dbd74d6751f0",
+    hash: "352ea6fe1dd06b2b6067e53955804f9b6a6590e039da6967f123e10bf0f0dad9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b3a37bce59e8c364988076cb7003f73040053ed3e6089c15f5466e05f5fe13af",
+    hash: "8116134da59099390cdda37d6a74c59f99005fd9920181d5b0a5e89d853dbf2e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a3dfb5d7f85f3066ee3e1da9d15b095ad528774076fa7eceaa613b25df51e2a5",
+    hash: "f34158b7a0dc4dfed45e726d9d10dac59d40453f9df413b8df0f75f7e08eca92",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d61bf57c035f8cba092bddb553bf479e002c1a24194d648a85fcb61c8c237aab",
+    hash: "5124385b2a38238d053cce3bee794753c628777965d935b7af34f28f92cab286",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3c1407b5908eceb7181e58858baa171673bcc4059b8d9686c3b17fea0f08625c",
+    hash: "6c5ecc9f969e0cfc0aa2eed624da22724f0e3df337915140dbec75b7fdc40f79",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6b3b9ce566ab8fb31fbe2c578e7a7ffb4d550addcced2ef63c1298cea93b190b",
+    hash: "cb3d04d4a00364168ff9efcc5cdd424864a73117becd7f9640d5ed7895aa2687",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "72b486be59d063761adb99a61e92a01572a7ba2e8bb8bf3babb2324d3572ab0c",
+    hash: "93f01a262a76fbd261d54247af1ba972171f72df7701555e10c332498ed9380e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0784825894b5d6067f66ad3a6af415dfb43d27dd37f5464cf51f29a624b24df5",
+    hash: "b224eb3a5d0ff945fe22beeb454128d9f678addf88134f03e0824989a73855eb",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ffe3bc50cac94c4f3da58a122e96b33185dbc68b89584b494a9e1645ca155f35",
+    hash: "b274cdfc0655983b46c765b299335333cf673b2600c6d47ec69218b9bcd1d785",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f90d712a552c95c5701dc852fb8aba550b51597bc28b82fa36317b45b69eb782",
+    hash: "6d26eb24d0e71252bd113f327dd595ffe9e658d1cf574a094b800d7841ea00ce",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "35952550a7e4099387db8b18fcc669866a7b221c39002ddbabbeccce8f66a675",
+    hash: "1fbb1664271d948d6f525804f831e7dc0f1e36fc382270dba0463ff3acdb2e70",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "068ebff56d21c112aa9542680dc3b66e416b269cb0c910de8f0963aa3394ffbf",
+    hash: "479f9b83463ae978a163e443639a18e2e911c3ff8a44ba2f44e383f589095452",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5bd9b02096c59ed896c9e43f19ee1dfae8bb8126e48c7238a234b2b6eae012ce",
+    hash: "6be430b6db06eca6db337e12faa04212064aff9c383a9c6d037419fd9b877275",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "70ee81ae906b01929c690c23a836b3d073a997c340a207908bdc0f7117fa5451",
+    hash: "8803135510b4656fc79ef4d81e0f990c4accc37600b4d16f59bd749cc5888c2d",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "90b4938cc517593df1bda5f5c3417ceed1dae429a82d8e9d9585de530c2e549e",
+    hash: "3c9de650c7cf3a0e651c0aa858235526d27f968aad7015c551efdfd95c48a3ab",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "636e3abefb9d2f41d9c8ad5b792268033893d439c037749b94f377aa1ea2b105",
+    hash: "dc270f0661a63071bc3035b1204aca95b97d6e1100e4255772ae385d03f0a5cd",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3c32bcac0e997b18d8ecae8985a7848ea19fe34eea6418740f6fcf49a20eec2e",
+    hash: "4446ab855ee4da7259e74a0d46be0f70956a5daa4a75a119cc1b216d97c3b383",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eebeed5a8e8569ed1a64ce32e51f4423240a46570eacf2d80b3641bbd9e5cb45",
+    hash: "0aba61f5ec5d6c0f2c7daa2de7743ba898ba0777c4426bdd656f84280c09a63c",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a193f2404aea89c94318a800a3164165160f4f9fe329c2b0bee05a93c7e555f4",
+    hash: "b9f31b6736218a6e86f2bc87cee54dca8e9edf28822bc30dd1b78832739d4510",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7386c51f99266b35ea8ddcdd1de523a9fe8fcde531c335ce9f2b4416d0a83f43",
+    hash: "97d81d1fce10ba7556edd7c3e1d8c2eb134a2bf69cc70141215d7fe51ea23a7c",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f23c19193dfeb5028ff3cb629259885a7b3d0d4216db630a8cb157e0db8e1dd8",
+    hash: "f3a9c46bd13b801d1cf1802755be1ddebcaa5416dc93c094c53e17afc1b89ef0",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "80ca39369adf6d6980fd400b4023ad4eb748e6a2dd833da84cd2e9e50bfe6143",
+    hash: "9b142dd3bcffa3882c2637ab661b455a54f3a974238fc42fd043997beee5c391",
 };

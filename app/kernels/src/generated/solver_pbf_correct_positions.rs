@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "622786e4661bda36efbc46af18be96c30ffe91a88e7866f449319a2f7bfc01b4",
+    hash: "f529d4b8e8cee020aafa74f81e952bc8926040419e4cbe123010223072f83a6b",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "08b34f99aec2bdb7eacdc72570015235b78c82b17aae5729e1566459e72a3b20",
+    hash: "a719ff6160a337875cc0fd252d20100c689aae9fe8a59e1eba28068cc7f450a5",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "03d7634943c382263bf42de3b9082b970bf113e5486bda48770814cfaa0dbc5a",
+    hash: "3f47c7b2d8784cf5bb837501b7f945060ee36402c747dce055f2e63f9a1ac9e9",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3502d747aad477ab80f443e2830c813f810b1639f190538a6be79f71f2572b9e",
+    hash: "4a72f95300a24e6b4fa1d518862756d86794e4cf3cbff2471289ab5dccd08fbc",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "021b9540def5926e32f27afa4bfd4428b29e8364349f69da03481fb483946b98",
+    hash: "df5e7b8bc1e2a358c3439e0c14ed77fc197084f29b9cb87bb0a789bc4c339ae3",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "46cebbc72b2f662635a09cc13e497a3f0d8dd73b93477b597c6299adc4ddd878",
+    hash: "b09116828fdcfe893c60d6e5024a6019d37dbd265aab2542a1932f63936d5217",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "188b2b8dfda064186b20932e2e378973099544202ee634e3fb3dfd574b5a0a29",
+    hash: "995a7dff505d650df34b2694002b6c6f282c0263b6e6a2415865a10edb61c677",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "232ec6ec790acbd856e128d5c3d53d6fdf561f3f22eb93e2b773b5d1eb31f1aa",
+    hash: "460bc2a8bf040ab4b70a20bd794ecb5be2b84b57bdd887cb09669a8d236bb492",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "962d6184616e457d16592f02d1f957243f2e2937ede9a466da09a1955d298d6d",
+    hash: "5e5ee7324aafa6090dfb8350e7954359bd52802c9beffc83d219145829d479da",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "082fecd495f511f226c34beab837e4813d1f5f6cee6aa1864957fa18b9d9653b",
+    hash: "61e7e80e6abb11f50694e17764c334da3e4dc69b47bd3210940caa8685915fba",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0b9e55f0aebd3c12f26bc663818f37b24f80718ea67a5a7e0fdbb9805f0dcb25",
+    hash: "02b830f9ef2b5f66e79700368ad273157b754ef79d5eb73604967f07ab29205b",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "91c300692789124f7edc97ac2c06ce8f32c82f0f202b717b97cc07e8137a5b0a",
+    hash: "3c0d3a3b7e943afc0f17c5d92056e1aefec1e79c9af35eee2bcee202919546bf",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "73183f61c7d9c707e6aa6b29709c83260073409a6e2028aba61a0eaa5e3d5098",
+    hash: "6b571bd9441a231e26c253e01f1f9770937d2a7da5b2aea0e78144e3d017cc8e",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dad261ad72fbea45d3ccdc02c2d52d3b8861a40359909f5b54e993160148d759",
+    hash: "23fbfed82e781fe6a94f1098b51e276c781916dae722372240fe5116f4215ab7",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "91946397df961517b837a2944c0e389ee4b29e5fb560f5d93fe249667034bd55",
+    hash: "ecc6c656eb7ba9abd7e3d8c752cd2a2e0d6354d2f8e9d8d2fa5f85e3915d0641",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "27f1fc72b7f605ad82f20e08f3533d91f7489e549cdf5f948a5d9d8a871fc8c6",
+    hash: "14b6483c1f1a8f4e85b758caa3691b6fb765979c99893d14f3d49487491929c8",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "65a58fa2897bb53da3bb65a0d875a7b0d6e59fba7f99b627c3f58cf2215b9aac",
+    hash: "5c818603ead62401ff6ac834a3db795844b78386d1c7c9eda1b61402eb7aafc7",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4b80285bbacc51ada0b775407bec4ad39be79fcddeeb546cbc32946b6faa6ce7",
+    hash: "b48a21d4d40a11f0227c4403544c4c9e3297a800c830a84fda40f794e9adbf97",
 };

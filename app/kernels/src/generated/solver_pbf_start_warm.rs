@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "df6d1d4af5f300bdc0177e82d3350fc85baedb9aa47329b2e34e20594644950e",
+    hash: "c4d4891181059511e74d2bca024aaa8df1cca6c6015fd67e5d2797e488ff94f4",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "5807d63084e45dd6f1f18b392b46facf7e2dd3bb1039ba5956ecc00e38d6bf42",
+    hash: "46db84735cfee67c3fbc714c5e7306dbeaaaf74459dfd03c4c0df9e03a616bff",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "395768b35d50a04b8efd859a4ca9a16ab720eb07a3833de8e349b511de4a0fec",
+    hash: "ca3f0c0f3576ff0345bf12d871408afd5c2c8237e45561a02866fa8d9ad1cb08",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "2c99161288c8be9b856cd3b8d8daddab15eab2df31456474ca17e9322bdeb56a",
+    hash: "9ac61951e1f58e73f0b72956b6db0105958308d78ebc43ed6590e2b3bc5e488b",
 };

@@ -264,7 +264,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "524cf0f9263bd5f552d37c17f4e85d6842e78f1d565ee738884a6b8d66c2d346",
+    hash: "87f6d8dcfdb710057bd753d48b2736ccef5bc67f6d41a90913092b80de3d415e",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +277,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "24d5dc45d92ff0aa71c0b5195efc8da9d5282f44b3991dd2037f4fcaee90f605",
+    hash: "69ac09960dc6fbdea848cc28c979516023bd433e430b43049c3cc31772f6e415",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "6220b4c349108631f094d434f0e58bfbf25623d61f08faca73052210cd1296b9",
+    hash: "6aa50346f27685c31b36b7d0d0759e2cc9bcaf50a5050c4e3e1dfeac98e8f567",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +303,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b89a9bbeb7ca8bd092a1ab01617227b3df919e5b850638f035db29422c0805c2",
+    hash: "190cfdc26d770ee67c7fe36a9a333cb909970541fccfa023d1f736307a3cd216",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +316,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3c8316b9383a12afe181f37ba44a885028022f284e209f0655a8f7dad85b2cf2",
+    hash: "898b602b1a9fe422f12ef4d0499df51bf40bb03d8e33a256617ec9cfc1c7585c",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +329,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "2a0995155412fd5ec86f9d41b96011d10e6f167423277ad0a386d4b349666dad",
+    hash: "dfd8f5a82ad66891bdcad9b91f23368236eaaa5d1adc06c352e95fa176e815e3",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +342,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "07991af1524ef299074da55d21ca6a5af845056d0a812891ef480d653818eaef",
+    hash: "2eeaa459f6fea20e00745d879a7b48e74ae0950e7c9c9bbf7e680b6df11a7f23",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +355,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "837c5493ac948a4cd75a2350672953e82a891d9373bc3873de181c7b9c4d9701",
+    hash: "b9d4d79860b4cb8ac23b9d37d1f41a1fc4eb2ad502644fa1674aa636831cf0e5",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a10f386c7327b06da8921789a10933b131616efb2cedf63ea9c078e19451d6c7",
+    hash: "7ee3ff16ee3cc46510af7c3fd43e96f9ff64efdda44a96e8a541b9ae6068258d",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +381,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "71e4a9e8216f20f6106a21ec22f213536ffe826cab7ee7e61605e41c1137b939",
+    hash: "a1eddab90531b6578afaa8cd0d595c4e676501cbbeea641de6216a7385ce91db",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +394,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ae1b8f615c7da0077eb8280b7a46aab421db0c57254575415a10f7c76619eaf1",
+    hash: "9cf3b84f6fbd936af7345eac1ee5106967d940aedc545cf09523d59870b3a152",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,7 +407,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b6a72a761c8577afc83dccc64fce5a366df388b974ca3a9e1d3ef065946fdb02",
+    hash: "eef8a172a33e7af848b955eecdee36712adf951bca9bf6fd33a27b7a47f85db5",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -420,7 +420,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "48328c8b8ad76c2796524683544fe415e5556a1cb8e881c866582df9b6646b4e",
+    hash: "13147131e347cf0b743e206afeae414e58bbad872e9b935b78ba08ae6cff7efe",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -433,7 +433,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "80df6f91d3963dd578ae58eff21ef151131b26e4c054310cca2d5821f925f6b6",
+    hash: "fda08419da029d48dd8cf2591847401222f1851ee60abed0d0ba6301ee9465bb",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "07dd65ba2a63e7abd4eadd33a9c03a8958f0014f0aae8bafca764b4566a8e3cc",
+    hash: "7d139d38295f306b15eacadc37c0be2d47a2b9d85b5d880762fff32ba12b412f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -459,7 +459,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0239ade19d01e3ee15cf351b97a384a51a6230c33cec1a593c98ef8da14d1de2",
+    hash: "d6471328c7add171fe5d77f49b12180eb3cefe4469a0527ec58f80b3bafa474e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -472,7 +472,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "770dd7b5b20947679f5d62a6befa6c4b308ca9b1b2fdf2e90ced564ffb7e797b",
+    hash: "ec01a657ad05baeb6c46dd034bc9d4efe22d1d0e2ed8c17b75b565d9220e4a19",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -485,7 +485,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "91227086524327e4081044f4e84f9f803951029816422399970e7e3f3c8b2547",
+    hash: "fcc41133016e95933c00bf7b215fb832c2905feddbfd435b6fc720f7600e6fa0",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -498,7 +498,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c70f427c8cab95a7f6b8afa45727bf08af5432d96a24b9a99efd94453a3381ee",
+    hash: "8bdf535d7435cbfdaa54e8f4b80dc3f4e61763b2d4677ec5b3a7ab50dd74f0bb",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4be91e600317f28dfb108bc6a739a0d890f7e82ea35d421fc0ced70501e8ac62",
+    hash: "788f45af07e1ae8b142309a65d9c9764845259d890f985e7141ad43435f4c45e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cf6557c0cdb329d65f38f354a5b9e1aa539e49d28491d04ea8ccd5a8ba239aac",
+    hash: "a5107434e949903b79703f112389be9e39876d05b3346517a8843238a54e0b42",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -537,7 +537,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6a980d073f6e59cbcd4cdcac164cefa06a69695bb47478ef5990e560faa073b6",
+    hash: "cd1635edf7c99ba8a9d9a35ad7e8cbee514dfd449cf27ed9140505c83607a7fc",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b7d23dcb5e77e8f920c63dfffb57c5f9fcf2aba793db5c582f4bedcae7d20a46",
+    hash: "83a0d9981d1f3ddb3695a3809c82a4b427a8b62b658e0011b0b6c4c37f8a981f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -563,5 +563,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "15f3217ba844b23464ce774ebe5507d4d2d1c153d9f7c4ea966efac2b16f4437",
+    hash: "adeb6c0855e5a4a340e5576286de5dd556bbc4eb1ae9f8d2408d5ef33df34d7c",
 };

@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "a06193a9a440fb4da3c5880fe94d8891b309bc2afb3907883e05f4d2df557f3b",
+    hash: "c8daeb691c6eee639d82285cc58edc579b45423a2fe1658e9d84f2afdfb9e409",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "0dc793e0397433c3d45f40e2c816ae78fe706a94b60e8f995ddc8084c7f5ec35",
+    hash: "29839dcdc958cac508ddaf8e52b18b8fa11d4a5bfe47ac4b25ce33ef1053e4fc",
 };

@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "52446962307da8e9e88fff251544617571051edbe63cf3c650024cd2e8d860dc",
+    hash: "e3fbc1cdee618e3529583077a238a82ef5c517f55de30c303978ed47e7d21811",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "a9b16f8b6c9202809afd374f21e9d7c12193a8bcda8ef91f5a06d04af4642bff",
+    hash: "67bb0d9342c9401961a1e40a103491cd9becb16a8a87bb390ccc9a49b9a665f8",
 };

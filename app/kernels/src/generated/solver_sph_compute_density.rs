@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "bfd7fd6551a70bfb0d26be64c7033079af2a80f51fa0836e6feb2bcd896cd977",
+    hash: "1e04fd23fe321a9d6ad5f82b30f75d7fc0091bf6ae380923728588a3d12a5cb5",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7e0b8bf22731181b1675a1c97012eb48c43050dd1c834658799b564e0675eac1",
+    hash: "936d65399d1c6efba1a8286e47330ea460bc9f272bd98556166301ee2fbf7d57",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "92306c4c4ab730a82080124a80b23cb14c77ef8b410f18796474b2434d295d18",
+    hash: "7c6966be1a96b5e0a7a867d189c74409893a2643349883ae62cf1daa27637648",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a355baa76d285709ebe4b81e4623d836c19108b12e006c822a9dcba2b8200db6",
+    hash: "c944c17e505a1f3e17b8c8c30f588e03ff9a5f9ab8712d7099325ce162ed42af",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "313ed2d33053e970f6a52ed0e684060c073abaa1bcd7c685ba89b256ae980977",
+    hash: "b22649c042d2cfa686e68d6d08b36a8ac33955fc2378c623207de5567b45d9b5",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "61c89b077075dbc6259c268093e659284044ff8ee7651d7cfeb2e1fbab2bcb5d",
+    hash: "5fd21595db183cc4606f8a11f1a491d6a7e1d9b7d62e2d65850ec04d7733be91",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1db1107f414e05e86d17c5fbc46fad0d80e5df06e5e2777274d5f65965abd7a8",
+    hash: "35690e5787277c8ba020dcf3c67ae4f6a2fc285c6a1dcbe01ab5d08c47526c07",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c72c08942f33491ccd40e6d2a02d18dcbbed1c585c224406304b6e1b5c96666c",
+    hash: "c727d1368ce06bc7a51622f9ab03811e66f1c1234fa496f0b46cbc19161db823",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7672df88a827cefb42faba616be87312e95fd2e00c9779614c995ce8da7c876b",
+    hash: "8f96e55ee6c01b7a864f243b7a7dd8dd755364bfe352134644276e0e42250be2",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0b5b98c391433abbaba8f395b70b59b493f1d205a0d40b7be4ab4851fed5a305",
+    hash: "97de7e923a1a7126b995ceb01300c521969fede550bd0dc7cb63ef20e294de7a",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "94865dffda8982aa917163191bb269a3372ca83e0e0552161f910261dcfe0a78",
+    hash: "2d1616b08b1ea35d6b2a3600f2f6f066740d77bf5ca053310ff0d5acf2862f29",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "efcb887d4b018425c3dd939e51209037280ae261e1f278e908886e9acc988fa6",
+    hash: "f34cb6ed4d714cd548ff341a43e048951b30d1d08ccfccf1477af36e2204d14e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c4b88cbefc5ae7809a88807f06b9701b9a6ae253b384d72efcb1801e38e6c44d",
+    hash: "0ab02878165c5e0b315b70099c8155ee0a33bbffaa3782a4eddcedcd08b9483c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a51f4700e494e08d6b57d307c71f21e86c891d27aaef4f94ffb63b78872e7f60",
+    hash: "7daeaaf1d30665a881f23f5433ac7d98637804f6c0979f9be5db343f5aae209f",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "b36e39b28125a55ffae0842089d006b3553ca0197dcb4d179ae9c6d7c3094ce6",
+    hash: "31c0fcd36b421d5a98c97e8b4a420c46bac0e3a7d536f796b1592c5c01d72ab8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d71fa130b466ea242f67ae8f81c43b9b1dfddfa6473065edf5614002a8c9b03c",
+    hash: "ae1730e20ea9427b864d61718d29126835bc2a950c4a69a162057db8b464564d",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cb9c49592da7548cafe544c2afca53aa2fcf1649ac532b21d769981a4d573764",
+    hash: "6c592d38f630954b45ac888568d90d65a50bf7e6472588c4537bc30fe9618b2a",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "db8d5b6266369ed6db012c15999a4abc73906fd9f7ed5a743b79bc91392a35bd",
+    hash: "d53770db6c4ca3d174c74d4b16971ddb35295bed5b55f27dc3f7b97cdda807a0",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "756532f70887de440b4c7eb8c886108eea0489bba1e640c1bc05ca3c60f838be",
+    hash: "251342d4e99fc89df57c62e02fd26d41f93f024e6ee54b3da6f6ec9923318f7b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "007d79568b0aa1e2d07cece0545db222b5e9defcc281bfbe99b8dcfa431aa8cd",
+    hash: "5b0be4674064151278223d8edf309d035712929368427ffc41815e1fdacf4ea5",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "58832dd0a158bb6dcd3dcc47e869c6f496e188fa0d32c69b5bbb023c39ea5947",
+    hash: "53770185fe738f95c5312d5055271c551da83d40b59aea5ba3f3bfe78b517ebd",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3488a0efe3560c085953987672bfe53d2b00412b6593961796c090328dd0a336",
+    hash: "2491170a890a00078c28242545e3286468b847b6df11fc102640698275d3ebbb",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "07ca056e60b43c32ab63c364e40bcbf677b0d3eb6dc83e7e7fe6c6a3a24de042",
+    hash: "9acf317ba4d7550bbb5a332f7aef4c4319765798c730e47c2eb605dc208bdd29",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "48e4d98b94f0e010c84c2f4048cb1b276f79fec467ffe5a504d1c5a30d5a36d3",
+    hash: "65965e5f48f7df937ca891ea6b900c4431ec2b9ae5abaf16b7d49c9b6aa70098",
 };

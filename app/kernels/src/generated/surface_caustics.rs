@@ -66,7 +66,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "82e1c737df1fa1617081e7398eb290285cd6fd388c74aa237c566480a45401b4",
+    hash: "ba164c90f844555f9adedd782a26defc6f6a25defcc3c82634fcc759cdd7d914",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -79,5 +79,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "3a89b838e5c7d5e7418a27b802b77577ddd3589bf1ee97adb6ce3af7b164a7b1",
+    hash: "fb9fabf9a9115f1b10a9afd5bf6c06683d761e7d06c1f006bccd2c8dbbb8c544",
 };

@@ -64,5 +64,5 @@ static COUNT_COVERED: Module = Module {
     shared_bytes: 4,
     tier: Tier::Floor,
     source: "surface/count_covered.compute",
-    hash: "b58883a7917811613a44f0621de820172624fe44b940a58b10bafafc49cf4f2b",
+    hash: "6ef2812ba009748dcecf4493321b9b7cdfa0dea93b3d7e05089769b59b2b49ca",
 };

@@ -72,5 +72,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "4a9e87b617b17cb899a3ca8384fb7c0ca896cb635ae360ee73053c5dedc694d4",
+    hash: "1b9a063f4f11d5faba0d763aede0be9290e4e83be9e2bb9da33e348bffd10a8c",
 };

@@ -115,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "19b7738e047a24251fa280053b34ef14f6d01659c57a46757eff584e74c169ed",
+    hash: "d1cc65fd202ea1f74582567d325e6a2a700d3aeb9a5dee16128e240900f3ff7b",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,7 +128,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "977814667317eb66dbf8cf79a4024a5d417dd9ee50a0df011f8732bc1a628e07",
+    hash: "6549d0a9db5db9f9f17d99cf9570471d3d624ea12fca6bd87538e12c2f2a2cb9",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -141,7 +141,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "e6ad696042cfc352093489368614e2ac53a039d2d8bc48562916276617c08142",
+    hash: "bb839054ef2a7ad2d8c72a3acaa8527fbf059f7d4247b8588a9cb16990219954",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -154,7 +154,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "3392cb9d8557a833fef089182449f82598c856ee9489986eb56bcdde0504ec73",
+    hash: "e2cd4d3890e719819d3595a44ac014018e3e7818690d499ac4721def557c59f3",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -167,5 +167,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "7c91f0110362896aa8dfdca2746981760c84f8bf79674302ac09d3c454c16b29",
+    hash: "7dea48f87c86b77156d3147f2a1838fa6190b146c7d374a4971d2099c9ac24a8",
 };

@@ -75,7 +75,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "52576b443b05b100b8dab92d3536caeb000c85d5bf0e1c26e93373fd469fd41d",
+    hash: "0a94d7b6fac3310219805caff334282f41b931ac410300d6b3055899bd1cce6a",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -88,5 +88,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "05a72d6eaa329c44ef696a86387f8a3f3370cbb2f8bcce9139539514dc71cbaf",
+    hash: "0d4058686fbe918796440f6883b6db605c32dfabd6cc806acecb404069788ada",
 };

@@ -62,7 +62,7 @@ static DRAW_OPAQUE_PLANES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "4345ffc00e04fcd911848e9000860301dca345b6964059ccbccb42466483cf8d",
+    hash: "e1fd84b18f0db3a6d7a18d20892b386d5d7bef101811fa95fb7b1a5f9d0ebbaf",
 };
 
 static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "213e48cdb6a65a7145956ca6612a80b102d6c3171926c56598a3d356678c519d",
+    hash: "cd6f4d8ebc4fda3067882eb6543358148020f36b723a849e59215472663c9450",
 };

@@ -73,5 +73,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "bdea87bd4e73369c88ecb3485ab4d4cee6403c96ac7f5fed69fcaf26fa46ddfb",
+    hash: "8bdc7e8ca95fc059634861ae23e9bc1a49a0eb4ca9b9dd3c1f1737abd47e5197",
 };

@@ -81,7 +81,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "1482d54fef1bfa295e48d4c1e629eccdd6739445908d6dc8348ad787816198bf",
+    hash: "15495ec42cbebf0e2b6a0b618098df91df2492f70fb208aaf28e6919e0aacf94",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -94,7 +94,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "8523a9046cf187b271b2cee80f34c9bb4f897e5a6d450136258c3cf460f78d2e",
+    hash: "6b3c8a1e56632ccce07697a167e4791d04e08c38b52bdb9aa11689f46c80ded2",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "09ddcf0993837a5442bcf0b7961988e0c5a750ae1e61616aa29e9821a7f6c5b3",
+    hash: "a07a25b92829854b44d1d8a11de3d6a8ce00e91d2da888743ea93b9d892a06b3",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "18f6b4defdaa2d1c6fab2aae41774a1c3427a4730fe8b34f01a93cece6ff6fff",
+    hash: "6dbc4d811b818161f73c113bdfa1fd859be60361fd36440f96dd6a759567b39f",
 };

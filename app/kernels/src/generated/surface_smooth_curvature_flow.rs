@@ -65,7 +65,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "859c3b814042d56a75529b5c8aac8bee9fc0957a25fd9bfb8a6da905789a8972",
+    hash: "fade8515ac6bab42baf56712f535df2f144088ac27b7c2f50c6d5e5632b9737d",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "13829e8341b6f340580c9c6756fb5df4f510ef521eecd2a2551847544aa56bdb",
+    hash: "f0cb9739c4a05ad0181a87c364e35c64d2002706423c948c4c36b546ea263ee8",
 };

@@ -78,7 +78,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "20eda026064555c2084d8d11a9923ea36068e73bbf321f36e8399d6a64dd97ff",
+    hash: "2456490f67476c87b5926bbf1dcd717a68eb6ad991fc22365b517be1bcabe8b5",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "9d9b633c3b38ad9036308cfb2018c4c20a8873e8f0e884ba3319a5c557cf678c",
+    hash: "36893497f36582d8d16de03a335016eabd45e79f820c4a928de759a6a7c1f0d1",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -104,5 +104,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "421e924bf134aa114bc09ffc326de1ee0e1177fe120c817a212010f5508f0f05",
+    hash: "4e4b9470c971b3eb96ef67880b28b14fb606a6a3fc071717c9a73f1f38093c05",
 };

@@ -82,7 +82,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "f2011a4bef6125d91a9ae9cea7013f6f302bad4eca0e706a598cac8fd44b3a3b",
+    hash: "b83802cca0b1f18a6cf2ec20042bd8c4d50e5bcb8f0b0dbe1d9fb1cbc8643722",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -95,7 +95,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "e2f7429fc2c66563eee0345c34e28d38200cdea6c0dd1df7ec4f6e49a4950759",
+    hash: "b1279ebdc5a0067f624efa6f56ba4b16a01bcedb2a06e0f3824148069c2d133c",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -108,7 +108,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "b202989e85e8506559509542012ed3baa84f6ed72cc7bff29205bd6af6fb80cb",
+    hash: "a5ebb0141a947260e0d8b82ab1babc214696d16149d72a13f064a51e1b12a86a",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -121,5 +121,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "c18e8ecdab34668e46f545372708f9c3b55fbf1f2db1bd26bffae40a6f4516c5",
+    hash: "60c02e8af41161a6b981ec3ba87bc507a6b14d32881d5231c0ac44ee819e6bdf",
 };

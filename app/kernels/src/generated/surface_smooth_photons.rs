@@ -87,7 +87,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "c99178f60d7fb6235eb08ab94abe78dacb25d12684e47a4bf2ee2d9a6f0ccbba",
+    hash: "3472be74f83979bd51919c15b0e003a8561d7b79235a5f70235579c59cd0b7d2",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "b787d5d14c7d1554f75bc5c464b6a9ce6cf7816c6786878fce05ba6e9ce5f4f1",
+    hash: "609adf16da5e68f240eb3c32f06dfc27a47df423d327c5bb02cbc783ed3aed66",
 };

@@ -80,7 +80,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "ba3c2d39acf389406a963ddd104b3416641664267a934ca10860deb35de0601c",
+    hash: "852eee48605879956263acbbb484fbfa82e961f6ac0026901a50e1f2c817a1d9",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -93,7 +93,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "05ee581eb3f12d946cc4cd7538ba7b4eab5fef6c76a7249eab6777f073f5956e",
+    hash: "a3739688c19011f18f1408ac20812440b6565269fbc098511d670ae4e52753c5",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -106,5 +106,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "a3db816185bbd0e9085736e26c5574ad02a32b17d577a8a084bb17ec7d6a58d0",
+    hash: "21d630ed510de879be14c724f61bd82a4e17e6dd83a0f4c0c83900c9468f5410",
 };

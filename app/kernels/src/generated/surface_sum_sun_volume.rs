@@ -67,5 +67,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "a985daf9416d05a9f30df0cefff6d2200cd647b4fbb535502edd936f6052f9f7",
+    hash: "92eff8c002a2f1ee39e5defd75524461cfbcd2cbf07ae3fd097e8e30c0057d76",
 };

@@ -117,7 +117,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "ec360633c56c0ad99a5c0299d7fbad39df614fa2aceb1f6454a0d6b0e99370c0",
+    hash: "a1c08b3ed69a796f27615987994b396b1fd90829685e3ce9cf99bc1b3cf002fb",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "e373de437e74024c026273cadc069f36ea1648f6306361fa73fbc9c579d09b26",
+    hash: "91811e622d4efb1d74c0a5a22747a08b77066e2cff5ea4bed03879d5ed7b8f5f",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "921187e6a42a83a1fd73067d7d1a8049e358d88e329fb411ab821ca7bfe2641b",
+    hash: "9ecd01b8e38d0e5c22d74e280a257d0fa5359f761e112e7b44be1fb497a952a7",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "a11c7682b904439ffe8868c6eec77995c8bc8a0b35ff4d3186852004857d608a",
+    hash: "183aa85437b3a8dfa686b99cc20de5609d2c351b92cdc84122bce05f864457ee",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -169,5 +169,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "d164fc579a6ce148a149043080c39f1de43488f3cb28348ced9c715ca3e51cc1",
+    hash: "1a7e13adab7c5900dde205a88950b64e571fd1f4afa8bb6a519cfa5fe4507a8f",
 };

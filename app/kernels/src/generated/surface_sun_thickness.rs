@@ -88,7 +88,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "ae26581cbdcf272a22c89f672bc1fb4df9218a41efaab04a3105da57ce2e9d2b",
+    hash: "4c824866d3292d0c11a3677bc42fdbeea551533579e766e701f8b5bc5ca69f6d",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "ca8f9ec42c3ff7691c5f92f1c9dc56a97dea60d7d791213cac242fffae756393",
+    hash: "9b8571d869b0f5891e0898be4bee4cb8701ef5c952e9c0035872020cc6e9fd7e",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "b7d3f1cbf29d28a79d82dee25679b11df7152419dec0a65437fde8b09dfec7b6",
+    hash: "4aeda68e3c9413de68ced56416728614ef3fd4622beb7167b74b7c2429c9b389",
 };

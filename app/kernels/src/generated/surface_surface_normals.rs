@@ -62,7 +62,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "de746b8d6809b086316898b34deeaf11bb50279d14d7d5178f142918475f6f1e",
+    hash: "b775ff617e5841ba31470a5d486650995c14f1565900a984fe32014542a7b93c",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "c8328388f6a8fc6102d31caaddfa91abb65a29b185fbcd9585089fd4cc7b2ce8",
+    hash: "db9fd4d8eeb458fd3d7c614dc3ad4c3ebd2b56f7d6228c36e7157eeaff0b2cc9",
 };

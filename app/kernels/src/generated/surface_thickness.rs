@@ -94,7 +94,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "53e972ab10272ddc800d6f3fc006dbc93b4ed67814b437e4caa7a354afa1d9c1",
+    hash: "3f776c54d5d1d9e11648c79e97133eb7b48c8fa542406dce89821ddbdae52272",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "c41ac6838c2a2f33e04c32b22c3ad348b01d6d911c30cb1d0ce2d839be124eaa",
+    hash: "3529ac0a163ddde692db2fe8dea47bf67d30d90e7a5905e6c1d1be53c7ddc386",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "6014546b179c7aaaf1bf4e0cbb91469206c87038641fbb7a04ea632854d83b58",
+    hash: "4b2c3c81817d1b71114bfc7344f77c8e4a7d2a4ddf99ae277c9929e4eeb40eb6",
 };

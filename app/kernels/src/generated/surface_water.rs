@@ -259,7 +259,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "2f1589dbb95eeddbd30b3b6b86f263e84fc70065d0b27661478adc933fd69325",
+    hash: "d314b1b7489385ede06c0cdb265fe3cb4b06b2e21dec16b9356a325e6b5933e8",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -272,7 +272,7 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "d7e96514054c51b9556367ad1374ce26f4290444f08f6b880d167b8e9617c3b2",
+    hash: "0c34b4e2992d62a4305d02aab0e6ac0095d9c26f0d126d79d0a279121c3112d5",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -285,7 +285,7 @@ static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "fb595f3c845732afe17694f155103ea28a8fb25ffca55d3e602770744cbd8559",
+    hash: "ad140208a792c0de7c9461c13f37bb3bc04fd0559f938afb532932d19dc29199",
 };
 
 static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
@@ -298,7 +298,7 @@ static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "8ce3b465958be1725c15b2ce60f484a0ad48e9a08e04eccfe5694f24726040ba",
+    hash: "36768ef9ef73d5f2bb65b70178b926a56c2673a17eaa8e01707cf9c4ba6e73f1",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
@@ -311,7 +311,7 @@ static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "fb9bbfbee11ef7c1a1010b0056b9fd004fde70bd863b055581f0eca5c9c8fe3f",
+    hash: "351e4a5682ca62ff7d7fc9033a46a8f6f3f62464dc5670a29c32ad716ef95da1",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -324,7 +324,7 @@ static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "ec152babf620fef8aa95e0e7baeb8c7547ecdfb54ef3d95c88277ecde8196a0d",
+    hash: "17560ad28c7f97344d9724507596b3638e31e9474a1e5d3743b2980e9aa001a7",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
@@ -337,7 +337,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "b5489238bd0f7b0d913ff838512b61d621cfc5b85e56aba9afeb13ff668775e2",
+    hash: "770fe6bd63614c176d8dd51c2667a43efd4be73b53b2ba87f89784e7121ced91",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
@@ -350,7 +350,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "acccf64f481bc324951a745b25582b75b69fc969b8b38f9e397857da2b44ba96",
+    hash: "2280b8443761c8b70b9b77b27f7a9c98fa4b5ae127ec33c68a9a260f85cd7277",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module {
@@ -363,7 +363,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "4b775256bdf728f6bb0b5b5abae62896e45fc904829f54f123e3a2bf534f98ae",
+    hash: "79bf59b9278ba6671aa251b03771fb53de1fda6423eb2b68a2a9954ec3986ed2",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -376,7 +376,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "d883b7450ceb39dae9756b623fb234244906ae4944d1c8579940d371be3ba978",
+    hash: "19a298d8d04d384ee06b3ba8b1c723ac1bbe2fbfbe637a9f40ed0825a5fe3891",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -389,7 +389,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "77ab9a1978b1033eadf6559c51e30cb28a27b07dcd74ac031d2116dba88008bd",
+    hash: "ede83b25ce3ddcae2356aba51a554e632dbc2ac911dc57ca726959774f0317d4",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -402,5 +402,5 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "9e2a2a28d07f9ffb64f4018b4ed39faef9a053e392b268c4a38425f08da70127",
+    hash: "18d4048d4848227ecb19fb5c6384682e50e5838fd9ba53093445e27d84a41f0a",
 };

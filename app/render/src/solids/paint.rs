@@ -13,7 +13,7 @@ const PAINTS: [[f64; 3]; 6] = [
     [0.46, 0.42, 0.46],
 ];
 /// Of ground: what grows where it is level, and what is left where it is steep or wet.
-const GROUND: [[f64; 3]; 2] = [[0.44, 0.50, 0.25], [0.50, 0.40, 0.30]];
+const GROUND: [[f64; 3]; 2] = [[0.36, 0.41, 0.23], [0.47, 0.39, 0.30]];
 /// Of glass.
 const GLASS: [f64; 3] = [0.80, 0.93, 0.89];
 
@@ -31,7 +31,8 @@ pub fn paint(solid: &SolidSettings, index: usize) -> SolidPaint {
         (false, _) => color,
     };
     let [color, other] = [color, other].map(|color| color.map(|channel| linear(channel) as f32));
-    SolidPaint { color, other, ..SolidPaint::default() }
+    let gloss = if solid.terrain.is_some() { 0.12 } else { 1.0 };
+    SolidPaint { color, other, gloss, ..SolidPaint::default() }
 }
 
 /// Linear light of an sRGB channel.

@@ -7,7 +7,9 @@ use base64::Engine as _;
 use glam::{DMat4, DVec3};
 use gltf::accessor::{DataType, Dimensions};
 use gltf::buffer::Source;
-use gltf::{Accessor, Gltf, Node, Primitive, Semantic, mesh::Mode};
+use gltf::json::Root;
+use gltf::json::validation::Checked;
+use gltf::{Accessor, Document, Node, Primitive, Semantic, mesh::Mode};
 
 use super::MOST_BYTES;
 use crate::mesh::{MOST_TRIANGLES, Mesh};
@@ -18,12 +20,12 @@ const DEEPEST: usize = 64;
 const MOST_VISITS: usize = 100_000;
 
 pub fn mesh(bytes: &[u8], folder: Option<&Path>) -> Result<Mesh, String> {
-    let file = Gltf::from_slice(bytes).map_err(|error| format!("is no glTF file that can be read: {}", one_line(&error)))?;
+    let (file, blob) = file_of(bytes)?;
     let mut buffers = Vec::new();
     let mut all = 0;
     for buffer in file.buffers() {
         let data = match buffer.source() {
-            Source::Bin => file.blob.clone().ok_or("has a buffer in a .glb file's binary part, which it lacks")?,
+            Source::Bin => blob.clone().ok_or("has a buffer in a .glb file's binary part, which it lacks")?,
             Source::Uri(uri) => buffer_of(uri, folder)?,
         };
         if data.len() < buffer.length() {
@@ -42,6 +44,40 @@ pub fn mesh(bytes: &[u8], folder: Option<&Path>) -> Result<Mesh, String> {
         reader.node(&node, DMat4::IDENTITY, 0)?;
     }
     Ok(reader.mesh)
+}
+
+/// The file's structure, and the binary part of a .glb.
+fn file_of(bytes: &[u8]) -> Result<(Document, Option<Vec<u8>>), String> {
+    let unreadable = |error: String| format!("is no glTF file that can be read: {}", one_line(&error));
+    let (json, blob) = match bytes.starts_with(b"glTF") {
+        true => parts_of(bytes).map_err(|reason| unreadable(reason.to_owned()))?,
+        false => (bytes, None),
+    };
+    let root: Root = gltf::json::deserialize::from_slice(json).map_err(|error| unreadable(error.to_string()))?;
+    // The crate asks for these before it checks them.
+    let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    let positions = primitives.filter_map(|primitive| primitive.attributes.get(&Checked::Valid(Semantic::Positions)));
+    let count = root.accessors.len();
+    if let Some(accessor) = positions.map(|index| index.value()).find(|&index| index >= count) {
+        return Err(format!("has positions in accessor {accessor}, and there are {count}"));
+    }
+    let file = Document::from_json(root).map_err(|error| unreadable(error.to_string()))?;
+    Ok((file, blob.map(<[u8]>::to_vec)))
+}
+
+/// The parts of a .glb: JSON, and bytes. (The crate's own reader of these trusts the lengths that a file claims.)
+fn parts_of(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), &'static str> {
+    let word = |at: usize| Some(u32::from_le_bytes(bytes.get(at..at + 4)?.try_into().ok()?));
+    if word(4) != Some(2) {
+        return Err("its binary form is not of version 2");
+    }
+    let part = |at: usize, kind: &[u8; 4]| {
+        let length = word(at)? as usize;
+        let is_own = bytes.get(at + 4..at + 8)? == kind;
+        is_own.then(|| bytes.get(at + 8..at.checked_add(8)?.checked_add(length)?)).flatten()
+    };
+    let json = part(12, b"JSON").ok_or("its JSON part is cut off, or not there")?;
+    Ok((json, part(20 + json.len().next_multiple_of(4), b"BIN\0")))
 }
 
 fn one_line(error: &impl ToString) -> String {

@@ -74,6 +74,15 @@ impl Scene {
         form.or_else(|reason| check.require(false, &name, value, reason).map(|()| Form::default()))
     }
 
+    /// What was repaired of its solids' meshes, in words.
+    pub fn repairs(&self) -> Vec<String> {
+        let of = |(index, solid): (usize, &SolidSettings)| {
+            let said = solid.triangles()?.repairs.said()?;
+            Some(format!("solid.{index}.{}, repaired: {said}", solid.triangles_name()))
+        };
+        self.solids.iter().enumerate().filter_map(of).collect()
+    }
+
     /// No more nodes of fields than there is room for.
     pub(super) fn check_nodes(&self, check: &Checker) -> Result<(), SceneError> {
         let mut all = 0_u64;
@@ -170,18 +179,23 @@ fn stamp(file: &str) -> String {
 }
 
 fn quoted(file: &str) -> String {
-    format!("\"{}\"", crate::scene::shortened(file))
+    format!("\"{}\"", one_line(file, 200))
+}
+
+/// What a scene or a file says may have anything in it, and any length.
+fn one_line(text: &str, most: usize) -> String {
+    text.chars().take(most).map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 #[cfg(feature = "import")]
 fn read(file: &str) -> Result<Mesh, String> {
-    brooklet_shapes::import::mesh(Path::new(file)).map_err(one_line)
+    brooklet_shapes::import::mesh(Path::new(file)).map_err(|reason| one_line(&reason, 300))
 }
 
 #[cfg(feature = "import")]
 fn image(file: &str) -> Result<(usize, usize, Vec<f64>), String> {
     let read = brooklet_shapes::import::bytes(Path::new(file)).and_then(|bytes| brooklet_shapes::import::image(&bytes));
-    read.map(|image| (image.columns, image.rows, image.shares)).map_err(one_line)
+    read.map(|image| (image.columns, image.rows, image.shares)).map_err(|reason| one_line(&reason, 300))
 }
 
 #[cfg(not(feature = "import"))]
@@ -192,12 +206,6 @@ fn read(_: &str) -> Result<Mesh, String> {
 #[cfg(not(feature = "import"))]
 fn image(_: &str) -> Result<(usize, usize, Vec<f64>), String> {
     Err("this program is built without what reads pictures of heights (feature `import`)".to_owned())
-}
-
-/// What a reader says may have a file's own bytes in it.
-#[cfg(feature = "import")]
-fn one_line(text: String) -> String {
-    crate::scene::shortened(&text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect::<String>())
 }
 
 fn mesh(shape: &MeshShape, is_sheet: bool) -> Result<Triangles, String> {
