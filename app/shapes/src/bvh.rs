@@ -121,8 +121,8 @@ impl Bvh {
                 }
                 continue;
             }
-            let children =
-                [index + 1, node.first].map(|child| (child, box_distance_squared(place_m, &self.nodes[child as usize])));
+            let children = [index + 1, node.first]
+                .map(|child| (child, box_distance_squared(place_m, &self.nodes[child as usize])));
             let nearer_last = if children[0].1 < children[1].1 { [children[1], children[0]] } else { children };
             for child in nearer_last.into_iter().filter(|child| child.1 <= best) {
                 stack[depth] = child;
@@ -158,9 +158,10 @@ impl Bvh {
 fn build(nodes: &mut Vec<Node>, triangles_m: &mut [[DVec3; 3]], from: usize, to: usize) {
     let index = nodes.len();
     let own = &mut triangles_m[from..to];
-    let around = own.iter().flatten().fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low_m, high_m], &at_m| {
-        [low_m.min(at_m), high_m.max(at_m)]
-    });
+    let around = own
+        .iter()
+        .flatten()
+        .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low_m, high_m], &at_m| [low_m.min(at_m), high_m.max(at_m)]);
     let (mut dipole_m2, mut weighted, mut area_m2) = (DVec3::ZERO, DVec3::ZERO, 0.0);
     for [a, b, c] in own.iter() {
         let normal_m2 = 0.5 * (b - a).cross(c - a);

@@ -43,7 +43,8 @@ pub fn hull(points_m: &[DVec3]) -> Result<Mesh, String> {
         faces = kept;
         faces.extend(border.into_iter().map(|[a, b]| [a, b, point]));
     }
-    let out_m = points_m.iter().flat_map(|&at_m| faces.iter().map(move |&face| above_m(face, at_m))).fold(0.0, f64::max);
+    let out_m =
+        points_m.iter().flat_map(|&at_m| faces.iter().map(move |&face| above_m(face, at_m))).fold(0.0, f64::max);
     if out_m > 1.0e-3 * (high_m - low_m).max_element() {
         return Err(format!("has points so close to each other that a hull of them leaves one {out_m:.1e} m outside"));
     }
@@ -54,7 +55,9 @@ pub fn hull(points_m: &[DVec3]) -> Result<Mesh, String> {
 fn first_faces(points_m: &[DVec3], on_m: f64) -> Option<[[u32; 3]; 4]> {
     let furthest = |from: &dyn Fn(DVec3) -> f64| {
         let all = (0..).zip(points_m).map(|(index, &at_m)| (index, from(at_m)));
-        all.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|furthest| furthest.1 > on_m).map(|furthest: (u32, f64)| furthest.0)
+        all.max_by(|a, b| a.1.total_cmp(&b.1))
+            .filter(|furthest| furthest.1 > on_m)
+            .map(|furthest: (u32, f64)| furthest.0)
     };
     let at_m = |index: u32| points_m[index as usize];
     let a = furthest(&|at| at.distance(points_m[0]))?;

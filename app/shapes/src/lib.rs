@@ -6,6 +6,8 @@
 mod bvh;
 mod check;
 mod field;
+#[cfg(all(test, feature = "import"))]
+mod file_tests;
 mod hull;
 #[cfg(feature = "import")]
 pub mod import;

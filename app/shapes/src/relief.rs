@@ -29,7 +29,8 @@ pub struct Relief {
 
 /// A number that looks random for a lattice point.
 fn hash(x: i32, z: i32, seed: u32) -> u32 {
-    let mut h = (x as u32).wrapping_mul(0x85EB_CA6B) ^ (z as u32).wrapping_mul(0xC2B2_AE35) ^ seed.wrapping_mul(0x27D4_EB2F);
+    let mut h =
+        (x as u32).wrapping_mul(0x85EB_CA6B) ^ (z as u32).wrapping_mul(0xC2B2_AE35) ^ seed.wrapping_mul(0x27D4_EB2F);
     for factor in [0x7FEB_352D_u32, 0x846C_A68B] {
         h = (h ^ (h >> 16)).wrapping_mul(factor);
     }

@@ -38,9 +38,9 @@ impl Heights {
                 let (first, last) = part(column, counts[0], self.columns);
                 let rows = first_row..=last_row.max(first_row);
                 let of = |row: usize| &self.heights_m[row * self.columns..][first..=last.max(first)];
-                let (sum, count) = rows.map(of).fold((0.0, 0), |(sum, count), part| {
-                    (sum + part.iter().sum::<f64>(), count + part.len())
-                });
+                let (sum, count) = rows
+                    .map(of)
+                    .fold((0.0, 0), |(sum, count), part| (sum + part.iter().sum::<f64>(), count + part.len()));
                 heights_m.push(sum / count as f64);
             }
         }
@@ -71,8 +71,7 @@ pub fn terrain(heights: &Heights, size_m: [f64; 2], beyond_m: f64, bottom_m: f64
     let at = |column: usize, row: usize| (row * columns + column) as u32;
     for row in 1..rows {
         for column in 1..columns {
-            let [a, b, c, d] =
-                [at(column - 1, row - 1), at(column, row - 1), at(column - 1, row), at(column, row)];
+            let [a, b, c, d] = [at(column - 1, row - 1), at(column, row - 1), at(column - 1, row), at(column, row)];
             mesh.triangles.extend([[a, c, b], [b, c, d]]);
         }
     }

@@ -60,7 +60,10 @@ fn files_that_are_no_solids() {
     write("short.obj", cube(&CORNERS[..7], &FACES).as_bytes());
     write("empty.obj", b"# nothing\n");
     write("empty.gltf", b"");
-    write("bomb.gltf", br#"{"asset":{"version":"2.0"},"scenes":[],"buffers":[{"byteLength":9e15,"uri":"data:;base64,AAAA"}]}"#);
+    write(
+        "bomb.gltf",
+        br#"{"asset":{"version":"2.0"},"scenes":[],"buffers":[{"byteLength":9e15,"uri":"data:;base64,AAAA"}]}"#,
+    );
     write("shape.stl", b"solid");
     write("color.png", &png(png::ColorType::Rgb, 4));
     write("gray.png", &png(png::ColorType::Grayscale, 8));
@@ -70,13 +73,19 @@ fn files_that_are_no_solids() {
     let ground = |rest: &str| format!("terrain = {{ size_m = [0.4, 0.1, 0.4], {rest} }}");
     for (solid, words) in [
         (mesh("none.obj"), vec![file("none.obj"), "cannot be read: No such file".into()]),
-        (mesh("open.obj"), vec![file("open.obj"), "is open: 4 of its edges have one triangle".into(), "thickness_m".into()]),
+        (
+            mesh("open.obj"),
+            vec![file("open.obj"), "is open: 4 of its edges have one triangle".into(), "thickness_m".into()],
+        ),
         (mesh("nowhere.obj"), vec![file("nowhere.obj"), "corner 2 is at [".into(), "NaN".into()]),
         (mesh("flat.obj"), vec![file("flat.obj"), "has 12 triangles, none of which has an area".into()]),
         (mesh("short.obj"), vec![file("short.obj"), "face vertex index out of bounds".into()]),
         (mesh("empty.obj"), vec![file("empty.obj"), "has no triangles".into()]),
         (mesh("empty.gltf"), vec![file("empty.gltf"), "is no glTF file that can be read".into()]),
-        (mesh("bomb.gltf"), vec![file("bomb.gltf"), "buffer 0 is said to have 9000000000000000 bytes, and 3 are".into()]),
+        (
+            mesh("bomb.gltf"),
+            vec![file("bomb.gltf"), "buffer 0 is said to have 9000000000000000 bytes, and 3 are".into()],
+        ),
         (mesh("shape.stl"), vec![file("shape.stl"), "must end in .obj, .gltf or .glb".into()]),
         (mesh("."), vec!["must end in .obj".into()]),
         ("mesh = { file = \"good.obj\", scale_m = 1e7 }".into(), vec!["solid.0.mesh.scale_m = 1e7".into()]),
@@ -94,7 +103,10 @@ fn files_that_are_no_solids() {
         ),
         (format!("{}\nthickness_m = 1e-5", mesh("open.obj")), vec!["solid.0.mesh".into(), "so thin".into()]),
         (format!("{}\nopen = \"y_max\"", mesh("good.obj")), vec!["solid.0.open".into()]),
-        (hull("[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0]"), vec!["solid.0.hull.points_m = 3 points".into(), "in one plane".into()]),
+        (
+            hull("[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0]"),
+            vec!["solid.0.hull.points_m = 3 points".into(), "in one plane".into()],
+        ),
         (hull(""), vec!["solid.0.hull.points_m = 0 points".into()]),
         (
             format!("{}\nthickness_m = 0.1", hull("[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]")),
@@ -131,7 +143,11 @@ fn what_is_repaired_of_a_mesh_is_said() {
     faces.push([1, 1, 2, 2]);
     for (name, faces, words) in [
         ("inward", &inward[..], "all of it faced inward, and was turned over"),
-        ("odd", &faces[..], "2 triangles without an area left out; 2 triangles turned over to face as their neighbours do"),
+        (
+            "odd",
+            &faces[..],
+            "2 triangles without an area left out; 2 triangles turned over to face as their neighbours do",
+        ),
     ] {
         std::fs::write(workshop.path("cube.obj"), cube(&CORNERS, faces)).unwrap();
         let text = scene("mesh = { file = \"cube.obj\", scale_m = 0.08 }");

@@ -26,62 +26,7 @@ pub(super) const DT_S: f32 = 1.0 / 240.0;
 pub(super) const STOP_M: f64 = 0.5 * SPACING_M;
 
 /// One solid of each kind, some of them hollow, standing and moving, two of which overlap; two are fields.
-const SCENE: &str = r#"
-spacing_m = 0.02
-[domain]
-min_m = [0, 0, 0]
-max_m = [1, 1, 1]
-[[solid]]
-box = { size_m = [0.2, 0.1, 0.3] }
-centre_m = [0.25, 0.3, 0.3]
-turned_deg = [10, 40, -20]
-[[solid]]
-sphere = { radius_m = 0.1 }
-centre_m = [0.35, 0.3, 0.3]
-friction = 0.3
-[[solid]]
-capsule = { radius_m = 0.05, length_m = 0.3 }
-spin_deg_s = [100, 0, 50]
-centre_m = [0.7, 0.3, 0.3]
-[[solid]]
-cylinder = { radius_m = 0.15, length_m = 0.3 }
-thickness_m = 0.02
-open = "y_max"
-restitution = 0.5
-[[solid.keyframe]]
-time_s = 0.5
-centre_m = [0.3, 0.6, 0.7]
-[[solid.keyframe]]
-time_s = 0.8
-centre_m = [0.35, 0.65, 0.7]
-turned_deg = [0, 0, 30]
-[[solid.keyframe]]
-time_s = 1.6
-centre_m = [0.3, 0.6, 0.7]
-turned_deg = [0, 0, -30]
-[[solid]]
-box = { size_m = [0.3, 0.3, 0.3] }
-thickness_m = 0.03
-centre_m = [0.75, 0.7, 0.7]
-velocity_m_s = [0.5, 0, 0.1]
-[[solid]]
-cylinder = { radius_m = 0.06, length_m = 0.4 }
-thickness_m = 0.02
-open = "ends"
-turned_deg = [0, 0, 70]
-centre_m = [0.5, 0.85, 0.3]
-[[solid]]
-hull = { points_m = [[-0.1, 0, 0], [0.12, 0.02, 0], [0, 0.1, 0.03], [0, -0.08, 0], [0.03, 0, 0.11], [0, 0.02, -0.1]] }
-centre_m = [0.4, 0.15, 0.7]
-spin_deg_s = [0, 60, 30]
-friction = 0.2
-[[solid]]
-terrain = { size_m = [0.4, 0.08, 0.3], feature_m = 0.2, seed = 3 }
-centre_m = [0.75, 0.06, 0.75]
-[solver]
-method = "pbf"
-max_speed_m_s = 6
-"#;
+const SCENE: &str = include_str!("solids.toml");
 
 pub(super) struct Case {
     pub(super) solids: Vec<Solid>,
@@ -107,7 +52,10 @@ impl Case {
     pub(super) fn moving(&self, time_s: f64) -> Vec<Moving> {
         let at = |solid: &Solid, time_s: f64| pose_at(self.keyframes_of(solid), solid.period_s.into(), time_s);
         let dt_s = f64::from(DT_S);
-        self.solids.iter().map(|solid| (TwinSolid::of(solid, &self.fields), at(solid, time_s - dt_s), at(solid, time_s))).collect()
+        self.solids
+            .iter()
+            .map(|solid| (TwinSolid::of(solid, &self.fields), at(solid, time_s - dt_s), at(solid, time_s)))
+            .collect()
     }
 
     fn reach_m(&self) -> f64 {

@@ -5,8 +5,8 @@
 
 use super::faces::Slip;
 use super::field::{Field, Kind, Limits};
-use super::pbf::Acceleration;
 use super::mesh_shapes::Relief;
+use super::pbf::Acceleration;
 use super::solids::{OpenFaces, SolidLook};
 use super::solver::{Method, Precision};
 use super::sph::{Integrator, SmoothingKernel};

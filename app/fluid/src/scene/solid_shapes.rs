@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use brooklet_kernels::{
-    Keyframe, MAX_SOLIDS, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, SHAPE_FIELD, Solid, SolidPose,
-};
+use brooklet_kernels::{Keyframe, MAX_SOLIDS, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, SHAPE_FIELD, Solid, SolidPose};
 use brooklet_shapes::Field;
 use glam::{DQuat, DVec2, DVec3};
 

@@ -19,7 +19,8 @@ impl SolidTriangles {
         let normals = corner_normals(mesh, SMOOTH_COSINE);
         match (&solid.terrain, solid.thickness_m) {
             (Some(ground), _) => {
-                let lowest_m = mesh.positions_m.iter().map(|at_m| at_m.y).filter(|y| *y >= 0.0).fold(f64::INFINITY, f64::min);
+                let lowest_m =
+                    mesh.positions_m.iter().map(|at_m| at_m.y).filter(|y| *y >= 0.0).fold(f64::INFINITY, f64::min);
                 let [x_m, height_m, _] = ground.size_m;
                 let feature_m = ground.feature_m.unwrap_or(0.5 * x_m);
                 self.add_side(mesh, &normals, 0.0, |at_m, normal| {

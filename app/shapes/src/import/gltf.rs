@@ -110,7 +110,9 @@ impl Reader {
     fn node(&mut self, node: &Node<'_>, above: DMat4, depth: usize) -> Result<(), String> {
         self.visits += 1;
         if depth > DEEPEST || self.visits > MOST_VISITS {
-            return Err(format!("has nodes in a circle, or more than {DEEPEST} below each other or {MOST_VISITS} in all"));
+            return Err(format!(
+                "has nodes in a circle, or more than {DEEPEST} below each other or {MOST_VISITS} in all"
+            ));
         }
         let own = node.transform().matrix();
         let here = above * DMat4::from_cols_array_2d(&own.map(|column| column.map(f64::from)));
@@ -159,7 +161,9 @@ impl Reader {
         let of = |a: usize, b: usize, c: usize| [indices[a], indices[b], indices[c]].map(|corner| first + corner);
         let count = indices.len();
         let triangles: Vec<[u32; 3]> = match mode {
-            Mode::TriangleStrip => (2..count).map(|k| if k % 2 == 0 { of(k - 2, k - 1, k) } else { of(k - 1, k - 2, k) }).collect(),
+            Mode::TriangleStrip => {
+                (2..count).map(|k| if k % 2 == 0 { of(k - 2, k - 1, k) } else { of(k - 1, k - 2, k) }).collect()
+            }
             Mode::TriangleFan => (2..count).map(|k| of(0, k - 1, k)).collect(),
             _ => (2..count).step_by(3).map(|k| of(k - 2, k - 1, k)).collect(),
         };

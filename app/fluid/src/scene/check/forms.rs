@@ -95,7 +95,10 @@ impl Scene {
                 options.cell_m <= coarsest_m || !self.solver.method.interacts(),
                 &format!("{field}.{}.cell_m", solid.triangles_name()),
                 Short(options.cell_m),
-                format_args!("at most a spacing, {} m: particles would pass what lies in a cell", Short(tidied(coarsest_m))),
+                format_args!(
+                    "at most a spacing, {} m: particles would pass what lies in a cell",
+                    Short(tidied(coarsest_m))
+                ),
             )?;
             let nodes = Field::nodes_of(triangles.solid.bounds_m(), &options);
             let longest = nodes.into_iter().max().unwrap_or_default();
@@ -145,7 +148,12 @@ impl Scene {
     pub(super) fn check_sheet(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
         let thickness_m = Short(solid.thickness_m.unwrap_or_default());
         let is_mesh = solid.mesh.is_some();
-        check.require(is_mesh, &format!("{field}.thickness_m"), thickness_m, "not with a hull or terrain, which are full")?;
+        check.require(
+            is_mesh,
+            &format!("{field}.thickness_m"),
+            thickness_m,
+            "not with a hull or terrain, which are full",
+        )?;
         let open = solid.open.is_none();
         check.require(open, &format!("{field}.open"), "a face", "not with a mesh: leave its triangles out there")
     }
@@ -175,7 +183,8 @@ impl SolidSettings {
 
 /// What tells a file from the same one after it changed.
 fn stamp(file: &str) -> String {
-    std::fs::metadata(file).map_or_else(|_| String::new(), |known| format!("{:?} {}", known.modified().ok(), known.len()))
+    std::fs::metadata(file)
+        .map_or_else(|_| String::new(), |known| format!("{:?} {}", known.modified().ok(), known.len()))
 }
 
 fn quoted(file: &str) -> String {
@@ -209,7 +218,8 @@ fn image(_: &str) -> Result<(usize, usize, Vec<f64>), String> {
 }
 
 fn mesh(shape: &MeshShape, is_sheet: bool) -> Result<Triangles, String> {
-    let (mesh, repairs) = checked(read(&shape.file)?.scaled(shape.scale_m), is_sheet).map_err(|flaw| flaw.to_string())?;
+    let (mesh, repairs) =
+        checked(read(&shape.file)?.scaled(shape.scale_m), is_sheet).map_err(|flaw| flaw.to_string())?;
     Ok(Triangles::new(mesh, None, repairs))
 }
 

@@ -38,7 +38,10 @@ impl Field {
             min_m: DVec3::from_array(solid.field_min_m.map(f64::from)),
             cell_m: solid.field_cell_m.into(),
             nodes: sides,
-            values: nodes[first..first + sides.iter().product::<usize>()].iter().map(|node| node.map(f64::from)).collect(),
+            values: nodes[first..first + sides.iter().product::<usize>()]
+                .iter()
+                .map(|node| node.map(f64::from))
+                .collect(),
         }
     }
 
