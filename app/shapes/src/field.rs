@@ -111,15 +111,21 @@ impl Field {
         if outside_m == DVec3::ZERO { here_m } else { here_m.max(0.0).hypot(outside_m.length()) }
     }
 
-    /// The share of a mesh's surface that is at least a distance outside of the field's: what is too thin for its cells.
+    /// The share of a mesh's surface behind which the field stays a distance or more outside, to a cell's depth: what is too
+    /// thin for its cells, so that a path through it meets nothing.
     pub fn lost(&self, mesh: &Mesh, away_m: f64) -> f64 {
+        let is_lost = |at_m: DVec3, step_m: DVec3| {
+            (0..=4).all(|steps| self.distance_m(at_m + f64::from(steps) * step_m) > away_m)
+        };
         let (mut lost_m2, mut all_m2) = (0.0, 0.0);
         for triangle in 0..mesh.triangles.len() {
-            let area_m2 = mesh.area_normal_m2(triangle).length();
+            let normal_m2 = mesh.area_normal_m2(triangle);
+            let area_m2 = normal_m2.length();
+            let step_m = -0.25 * self.cell_m * normal_m2.normalize_or_zero();
             let [a, b, c] = mesh.corners_m(triangle);
             let middle_m = (a + b + c) / 3.0;
             let within = [middle_m, 0.5 * (middle_m + a), 0.5 * (middle_m + b), 0.5 * (middle_m + c)];
-            let lost = within.into_iter().filter(|&at_m| self.distance_m(at_m) > away_m).count();
+            let lost = within.into_iter().filter(|&at_m| is_lost(at_m, step_m)).count();
             lost_m2 += area_m2 * lost as f64 / 4.0;
             all_m2 += area_m2;
         }
