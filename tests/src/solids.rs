@@ -59,7 +59,7 @@ pub const BOWL: Leak = Leak {
     scene: include_str!("solids/bowl.toml"),
     is_through: |scene, time_s, position_m| {
         let place_m = in_frame_m(scene, time_s, position_m);
-        // The middle of its wall; what flies over its rim has not passed it, and there is no such.
+        // The middle of its wall; nobody flies over its rim.
         let from_m = if place_m.y < 0.0 { place_m.length() } else { place_m.x.hypot(place_m.z) };
         from_m > 0.23
     },

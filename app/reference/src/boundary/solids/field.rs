@@ -60,8 +60,8 @@ impl Field {
             let weight = |axis: usize| if step[axis] == 1 { part[axis] } else { 1.0 - part[axis] };
             for (k, value) in node.into_iter().enumerate() {
                 sample.values[k] += value * weight(0) * weight(1) * weight(2);
-                for axis in 0..3 {
-                    let sign = if step[axis] == 1 { 1.0 } else { -1.0 };
+                for (axis, step) in step.into_iter().enumerate() {
+                    let sign = if step == 1 { 1.0 } else { -1.0 };
                     sample.slopes[k][axis] +=
                         value * sign * weight((axis + 1) % 3) * weight((axis + 2) % 3) / self.cell_m;
                 }
