@@ -62,7 +62,7 @@ fn files_that_are_no_solids() {
     write("empty.gltf", b"");
     write(
         "bomb.gltf",
-        br#"{"asset":{"version":"2.0"},"scenes":[],"buffers":[{"byteLength":9e15,"uri":"data:;base64,AAAA"}]}"#,
+        br#"{"asset":{"version":"2.0"},"scenes":[],"buffers":[{"byteLength":9000000000000000,"uri":"data:;base64,AAAA"}]}"#,
     );
     write("shape.stl", b"solid");
     write("color.png", &png(png::ColorType::Rgb, 4));
@@ -101,7 +101,10 @@ fn files_that_are_no_solids() {
             "mesh = { file = \"good.obj\", scale_m = 0.002 }".into(),
             vec!["solid.0.mesh = 0.004 x 0.004 x 0.004 m".into(), "so thin that particles would pass it".into()],
         ),
-        (format!("{}\nthickness_m = 1e-5", mesh("open.obj")), vec!["solid.0.mesh".into(), "so thin".into()]),
+        (
+            "mesh = { file = \"open.obj\", scale_m = 0.08, cell_m = 0.05 }\nthickness_m = 1e-5".into(),
+            vec!["solid.0.mesh = 0.16 x 0.16 x 0.16 m".into(), "so thin".into()],
+        ),
         (format!("{}\nopen = \"y_max\"", mesh("good.obj")), vec!["solid.0.open".into()]),
         (
             hull("[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0]"),

@@ -60,7 +60,9 @@ impl Checker<'_> {
                     !numbers.map(as_number).all(|n| n.is_some_and(|n| limits.hold(n)))
                 });
                 let kind = Kind::Vector(limits);
-                outside.map_or(Ok(()), |at| self.require(false, &format!("{field}.{at}"), written(&points[at]), kind))
+                outside.map_or(Ok(()), |at| {
+                    self.require(false, field, written(&points[at]), format_args!("point {at} {kind}"))
+                })
             }
             (_, Value::Table(table)) => table.iter().try_for_each(|(key, value)| match field {
                 "" => self.limits(key, value),

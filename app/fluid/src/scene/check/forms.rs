@@ -28,20 +28,22 @@ impl Scene {
     pub(in crate::scene) fn form_solids(&mut self, source_name: &str) -> Result<(), SceneError> {
         let check = Checker { source_name };
         let folder = Path::new(source_name).parent().unwrap_or(Path::new("")).to_owned();
+        if !self.solids.iter().any(SolidSettings::has_triangles) {
+            return Ok(());
+        }
+        // Nothing is made of a number that is none.
+        let values = Value::try_from(&*self).map_err(|error| SceneError::Malformed {
+            source_name: source_name.into(),
+            place: String::new(),
+            reason: error.to_string(),
+        })?;
+        check.limits("", &values)?;
         for index in 0..self.solids.len() {
-            if self.solids[index].shapes_given() != 1 || !self.solids[index].has_triangles() {
-                continue;
+            if self.solids[index].shapes_given() == 1 && self.solids[index].has_triangles() {
+                self.solids[index].resolve_files(&folder);
+                let form = self.form_of(&check, &format!("solid.{index}"), &self.solids[index])?;
+                self.solids[index].form = form;
             }
-            let field = format!("solid.{index}");
-            let values = Value::try_from(&self.solids[index]).map_err(|error| SceneError::Malformed {
-                source_name: source_name.into(),
-                place: String::new(),
-                reason: error.to_string(),
-            })?;
-            check.limits(&field, &values)?;
-            self.solids[index].resolve_files(&folder);
-            let form = self.form_of(&check, &field, &self.solids[index])?;
-            self.solids[index].form = form;
         }
         Ok(())
     }
@@ -97,7 +99,7 @@ impl Scene {
                 Short(options.cell_m),
                 format_args!(
                     "at most a spacing, {} m: particles would pass what lies in a cell",
-                    Short(tidied(coarsest_m))
+                    Short(tidied(COARSEST_SPACINGS * self.fitted_spacing_m()))
                 ),
             )?;
             let nodes = Field::nodes_of(triangles.solid.bounds_m(), &options);
