@@ -2,6 +2,7 @@
 //! at 100 m/s against a wall as thick as a spacing. `cargo run --release --example leaks -- [CASE] [SETTING ...]`
 
 use brooklet_fluid::{Scene, Session};
+use brooklet_kernels::Position;
 use brooklet_tests::solids::{LEAKS, Leak};
 
 fn main() {
@@ -16,7 +17,7 @@ fn main() {
 }
 
 fn run(leak: &Leak, settings: &[String]) {
-    let scene = Scene::from_toml(leak.scene, leak.name, settings).unwrap_or_else(|error| panic!("{error}"));
+    let scene = Scene::from_toml(leak.scene, leak.source, settings).unwrap_or_else(|error| panic!("{error}"));
     let mut session = Session::new(&brooklet_tests::gpu(), &scene).expect("a device");
     let steps = (scene.outputs.seconds / scene.solver.dt_s).round() as u32;
     let (mut most, mut fastest_m_s, mut speed_m_s) = (0, 0.0_f64, 0.0);
@@ -30,9 +31,12 @@ fn run(leak: &Leak, settings: &[String]) {
             }
             let particles = session.read_particles().expect("a device");
             let time_s = f64::from(step) * scene.solver.dt_s;
-            let through =
-                particles.positions.iter().filter(|at| (leak.is_through)(&scene, time_s, at.position_m)).count();
-            most = most.max(through);
+            let is_through = |at: &&Position| (leak.is_through)(&scene, time_s, at.position_m);
+            let through: Vec<&Position> = particles.positions.iter().filter(is_through).collect();
+            if let (0, Some(first)) = (most, through.first()) {
+                println!("{:12} the first are through at {time_s:.3} s, one at {:?}", leak.name, first.position_m);
+            }
+            most = most.max(through.len());
         }
     }
     let count = scene.particle_count();

@@ -42,9 +42,9 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let start = SystemTime::now();
     let Started { scene, concessions, session, passes, mesh_room, left_out, plan, slots, bytes_per_particle, measures } =
         start_run::start(&gpu, &scene, &recorded)?;
-    for concession in &concessions {
-        eprintln!("brooklet: {}: {concession}", scene.name);
-    }
+    let repairs = scene.repairs();
+    let words = repairs.iter().cloned().chain(concessions.iter().map(ToString::to_string));
+    words.for_each(|word| eprintln!("brooklet: {}: {word}", scene.name));
     let export = options.outputs.mesh.map(|format| RunMesh::new(&gpu, &scene, slots, format)).transpose()?;
     let start_relaxation = session.start_relaxation();
     let interrupt = Interrupt::listen()?;
@@ -171,6 +171,9 @@ fn open_capture(
         let name = format!("{}.toml", scene.name);
         capture.attach(&name, "application/toml", scene.to_toml().as_bytes())?;
         capture.plan(plan)?;
+        for repair in scene.repairs() {
+            capture.log(0, Level::Warning, &repair)?;
+        }
         for concession in concessions {
             capture.log(0, Level::Warning, &concession.to_string())?;
         }

@@ -382,6 +382,9 @@ impl Viewer {
                     self.messages.notify(Kind::Error, error.to_string());
                 }
                 self.playback.begin(&current, carries, &mut self.messages);
+                for repair in current.scene.repairs() {
+                    self.messages.notify(Kind::Warning, repair);
+                }
                 for concession in &current.concessions {
                     self.messages.notify(Kind::Warning, concession.to_string());
                 }

@@ -68,13 +68,16 @@ struct SolidVertex
     float3 position_m;
     uint solid;             // of the scene's
     float3 normal;          // out of what is solid, into a cavity
-    float rim;              // 1 where a hollow one's wall ends, which shows its thickness
+    float rim;              // 1 where a hollow one's wall ends, which shows its thickness; of ground its share of the
+                            // other color
 };
 
 // What a solid looks like.
 struct SolidPaint
 {
     float3 color;           // of its surface, in linear light
+    float gloss;            // share of what smooth paint mirrors
+    float3 other;           // the same where `rim` is 1
     float reserved;
 };
 

@@ -29,7 +29,7 @@ struct Varyings
     float4 position : SV_Position;
     [[vk::location(0)]] float3 world_m : TEXCOORD0;
     [[vk::location(1)]] float3 normal : TEXCOORD1;
-    [[vk::location(2)]] nointerpolation float3 color : TEXCOORD2;
+    [[vk::location(2)]] float4 color_gloss : TEXCOORD2;
 };
 
 Varyings SolidsVertex(uint vertex : SV_VertexID)
@@ -39,7 +39,8 @@ Varyings SolidsVertex(uint vertex : SV_VertexID)
     Varyings output;
     output.world_m = SolidPositionOf(corner, pose);
     output.normal = SolidNormalOf(corner, pose);
-    output.color = solid_paints[corner.solid].color;
+    SolidPaint paint = solid_paints[corner.solid];
+    output.color_gloss = float4(lerp(paint.color, paint.other, corner.rim), paint.gloss);
     output.position = ClipFromOffset(view, output.world_m - view.eye_m);
     return output;
 }
@@ -72,10 +73,11 @@ float4 SolidsFragment(Varyings input) : SV_Target0
         sun = SunArriving(input.world_m, normal) * light.sun_color;
     float n_dot_v = saturate(dot(normal, to_eye));
     // A weak light from the viewer keeps what is round so in the shade.
-    float3 color = input.color * (0.75 * n_dot_l * sun + 0.85 * AmbientLight(light, style.floor_color, normal)
+    float3 color = input.color_gloss.rgb * (0.75 * n_dot_l * sun + 0.85 * AmbientLight(light, style.floor_color, normal)
         + 0.25 * n_dot_v * n_dot_v * light.sky_horizon);
-    color += Fresnel(0.04, n_dot_v) * 0.6 * SkyGradient(light, reflect(-to_eye, normal));
+    float gloss = input.color_gloss.w;
+    color += gloss * Fresnel(0.04, n_dot_v) * 0.6 * SkyGradient(light, reflect(-to_eye, normal));
     float3 halfway = normalize(light.to_sun + to_eye);
-    color += 0.16 * Power64(saturate(dot(normal, halfway))) * sun;
+    color += gloss * 0.16 * Power64(saturate(dot(normal, halfway))) * sun;
     return float4(color, 1.0);
 }

@@ -56,7 +56,7 @@ fn changed(scene: &Scene, setting: &Setting) -> Scene {
         (Kind::Switch, value) => vec![(value != &Some(Value::Boolean(true))).to_string()],
         (Kind::Switches, _) => vec!["[true,false,false]".to_owned(), "[false,false,true]".to_owned()],
         (Kind::Text, _) => vec!["another".to_owned()],
-        (Kind::Table | Kind::Tables, _) => Vec::new(),
+        (Kind::Vectors(_) | Kind::Table | Kind::Tables, _) => Vec::new(),
     };
     let one = |text: &String| match setting.path.strip_prefix("domain.faces.").and_then(|face| face.split_once('.')) {
         // What a wall that does not drag may not have.

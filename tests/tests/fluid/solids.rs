@@ -1,12 +1,12 @@
 //! Solids that stand and move: nobody passes one, and fluid at one is as dense as fluid elsewhere.
 
 use brooklet_fluid::{Scene, Session};
-use brooklet_tests::solids::{BOX, CUP, JET, Leak};
+use brooklet_tests::solids::{BOWL, BOX, CUP, HILLS, JET, Leak};
 use brooklet_tests::{gpu, small};
 
 fn scene(leak: &Leak, settings: &[&str]) -> Scene {
     let settings: Vec<String> = settings.iter().map(|&setting| setting.into()).collect();
-    Scene::from_toml(leak.scene, leak.name, &settings).unwrap()
+    Scene::from_toml(leak.scene, leak.source, &settings).unwrap()
 }
 
 /// Runs for so many steps, and returns how many particles are through at the end.
@@ -35,6 +35,47 @@ fn nobody_passes_a_wall_of_one_spacing() {
     }
     assert_eq!(through(&JET, &[coarse, "solid.0.box.size_m.0=0.02"], steps / 2), 0, "jet");
     assert_eq!(through(&JET, &[coarse, "solver.method=none"], steps / 2), 0, "jet of particles alone");
+}
+
+/// A bowl of triangles, two thirds of a spacing thick, and ground.
+#[test]
+fn nobody_passes_triangles() {
+    let steps = if small() { 5 } else { 60 };
+    for method in ["solver.method=pbf", "solver.method=none", "solver.method=sph", "solver.method=dfsph"] {
+        assert_eq!(through(&BOWL, &["spacing_m=0.03", method], steps), 0, "bowl with {method}");
+        assert_eq!(through(&HILLS, &[method], steps), 0, "hills with {method}");
+    }
+    // Without the bowl, which the rod's number then is.
+    let scene = scene(&BOWL, &["spacing_m=0.04", "solver.method=none"]);
+    let mut open = scene.clone();
+    open.solids.remove(0);
+    let mut session = Session::new(&gpu(), &open).unwrap();
+    for _ in 0..60 {
+        session.step().unwrap();
+    }
+    let particles = session.read_particles().unwrap();
+    let through = particles.positions.iter().filter(|at| (BOWL.is_through)(&scene, 0.25, at.position_m)).count();
+    assert!(through > 30, "{through} of {} through", particles.positions.len());
+}
+
+/// A pool over hills comes to rest, and none of it is in the ground.
+#[test]
+fn a_pool_over_ground_rests() {
+    let steps = if small() { 10 } else { 360 };
+    let scene = scene(&HILLS, &["outputs.measure_every_steps=1"]);
+    let mut session = Session::new(&gpu(), &scene).unwrap();
+    for _ in 0..steps {
+        session.step().unwrap();
+    }
+    session.measure().unwrap();
+    let stats = session.finish().unwrap().into_iter().filter_map(|report| report.stats).next_back().unwrap();
+    println!("{stats:?}");
+    let mass_kg = stats.particles as f64 * scene.particle_mass_kg();
+    let speed_m_s = (2.0 * stats.kinetic_j / mass_kg).sqrt();
+    // What a particle that falls by half a spacing has.
+    let fallen_m_s = (scene.gravity_length_m_s2() * scene.spacing_m).sqrt();
+    assert!(speed_m_s < fallen_m_s * if small() { 1.0 } else { 0.1 }, "{speed_m_s} m/s on average");
+    assert!(stats.compression.mean < 0.01, "{:?}", stats.compression);
 }
 
 /// The comparator that all of the above rest on.

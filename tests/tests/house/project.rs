@@ -30,8 +30,9 @@ struct Member {
 const ROOMS: &[(&str, &[&str])] = &[
     ("brooklet-kernels", &[]),
     ("brooklet-gpu", &["kernels"]),
-    ("brooklet-fluid", &["kernels", "gpu"]),
-    ("brooklet-render", &["kernels", "gpu", "fluid"]),
+    ("brooklet-shapes", &[]),
+    ("brooklet-fluid", &["kernels", "gpu", "shapes"]),
+    ("brooklet-render", &["kernels", "gpu", "shapes", "fluid"]),
     ("brooklet-bench", &["kernels", "gpu", "fluid", "render"]),
     ("brooklet-capture", &["gpu"]),
     ("brooklet-reference", &["kernels"]),
@@ -44,14 +45,14 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("brooklet-android", &["fluid", "capture", "mobile"]),
     (
         "brooklet-tests",
-        &["kernels", "gpu", "fluid", "render", "bench", "capture", "reference", "check", "study", "compiler"],
+        &["kernels", "gpu", "shapes", "fluid", "render", "bench", "capture", "reference", "check", "study", "compiler"],
     ),
     // A broken generated file must never keep the shader compiler from being built.
     ("brooklet-compiler", &[]),
 ];
 
 /// Rooms that must not reach a GPU, directly or through others.
-const WITHOUT_GPU: &[&str] = &["brooklet-kernels", "brooklet-reference", "brooklet-compiler"];
+const WITHOUT_GPU: &[&str] = &["brooklet-kernels", "brooklet-reference", "brooklet-shapes", "brooklet-compiler"];
 
 /// The one package for each purpose, and packages that would be a second one.
 const CHOSEN: &[(&str, &[&str])] = &[

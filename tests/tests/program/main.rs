@@ -1,6 +1,7 @@
 //! The `brooklet` program as its users call it.
 
 mod bad_input;
+mod bad_meshes;
 mod bench;
 mod capture_cli;
 mod cli;

@@ -9,7 +9,7 @@ use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, Wrong, ensure, ensure_eq};
 use brooklet_fluid::Scene;
 use brooklet_fluid::boundary::solids::solids_params;
-use brooklet_fluid::scene::{bodies, first_body_states, solids, surface_points};
+use brooklet_fluid::scene::{bodies, field_nodes, first_body_states, solids, surface_points};
 use brooklet_kernels::{
     BodyContact, BodyState, CONTACTS_PER_POINT, FindContacts, GatherReactions, Kernel as _, NO_BODY, Position,
     REACTION_WORDS, RigidBody, Solid, SolidContact, SolidPose, SolidsParams, StepBodies, StepParams, SurfacePoint,
@@ -69,6 +69,7 @@ struct Case {
     points: Vec<SurfacePoint>,
     states: Vec<BodyState>,
     poses: Vec<SolidPose>,
+    fields: Vec<[f32; 2]>,
     params: SolidsParams,
 }
 
@@ -117,7 +118,7 @@ fn case(rng: &mut impl Rng) -> Case {
         (pose.min_m, pose.max_m) = ([-9.0; 3], [9.0; 3]);
     }
     let params = SolidsParams { stop_m: STOP_M as f32, ..solids_params(&scene) };
-    Case { solids, points: surface_points(&scene), bodies, states, poses, params }
+    Case { solids, fields: field_nodes(&scene), points: surface_points(&scene), bodies, states, poses, params }
 }
 
 fn twin_state(state: &BodyState) -> twin::BodyState {
@@ -154,6 +155,7 @@ fn found(device: &Device, case: &Case) -> Vec<BodyContact> {
     let states = bench.input("body_states", &case.states);
     let solids = bench.input("solids", &case.solids);
     let poses = bench.input("solid_poses", &case.poses);
+    let fields = bench.input("solid_fields", &case.fields);
     let count = CONTACTS_PER_POINT as usize * case.points.len();
     let mut contacts = bench.output::<BodyContact>("body_contacts", count);
     let state = bench.uniform("step_state", step_state(1, DT_S));
@@ -166,6 +168,7 @@ fn found(device: &Device, case: &Case) -> Vec<BodyContact> {
             body_states: states.read(),
             solids: solids.read(),
             solid_poses: poses.read(),
+            solid_fields: fields.read(),
             body_contacts: contacts.write(),
             step_state: state.uniform(),
             step_params: step_params.uniform(),
@@ -192,7 +195,7 @@ pub(crate) fn find_contacts_matches_its_twin(device: &Device) {
             .iter()
             .zip(&case.poses)
             .map(|(solid, pose)| Other {
-                solid: TwinSolid::of(solid),
+                solid: TwinSolid::of(solid, &case.fields),
                 pose: Pose { position_m: vector(pose.position_m), rotation: quaternion(pose.rotation) },
                 before: Pose { position_m: vector(pose.before_m), rotation: quaternion(pose.rotation_before) },
                 body: named(solid.body),

@@ -34,7 +34,7 @@ fn free_paths(rng: &mut impl rand::Rng, size: usize, most_m: f64, stands: bool) 
     let case = case();
     let moved = case.moving(TIMES_S[size % TIMES_S.len()]);
     let moving: Vec<Moving> = match stands {
-        true => moved.iter().map(|(solid, _, pose)| (*solid, *pose, *pose)).collect(),
+        true => moved.iter().map(|(solid, _, pose)| (solid.clone(), *pose, *pose)).collect(),
         false => moved,
     };
     let starts_m = near_solids(rng, size, &moving);
@@ -99,6 +99,7 @@ pub(crate) fn bodies_take_back_what_stops_paths(device: &Device) {
         let mut bench = Bench::new(device);
         let solids = bench.input("solids", &all_bodies(&case.solids));
         let pose_buffer = bench.input("solid_poses", &poses);
+        let fields = bench.input("solid_fields", &case.fields);
         let blocks = bench.input("solid_blocks", &case.blocks(&moving));
         let mut position_buffer = bench.input("positions", &positions);
         let mut velocity_buffer = bench.input("velocities", &velocities);
@@ -112,6 +113,7 @@ pub(crate) fn bodies_take_back_what_stops_paths(device: &Device) {
                 variant: CollideSolidsVariant { bodies: true },
                 solids: solids.read(),
                 solid_poses: pose_buffer.read(),
+                solid_fields: fields.read(),
                 solid_blocks: blocks.read(),
                 positions: position_buffer.write(),
                 velocities: velocity_buffer.write(),
@@ -155,6 +157,7 @@ pub(crate) fn bodies_take_back_what_confines_displacements(device: &Device) {
         let mut bench = Bench::new(device);
         let solids = bench.input("solids", &all_bodies(&case.solids));
         let pose_buffer = bench.input("solid_poses", &poses);
+        let fields = bench.input("solid_fields", &case.fields);
         let blocks = bench.input("solid_blocks", &case.blocks(&moving));
         let sorted_positions = bench.input("sorted_positions", &sorted);
         let mut quantized_positions = bench.input("quantized_positions", &quantized);
@@ -169,6 +172,7 @@ pub(crate) fn bodies_take_back_what_confines_displacements(device: &Device) {
                 variant: ConfineDisplacementsVariant { bodies: true, precision: PrecisionKeyword::default() },
                 solids: solids.read(),
                 solid_poses: pose_buffer.read(),
+                solid_fields: fields.read(),
                 solid_blocks: blocks.read(),
                 sorted_positions: sorted_positions.read(),
                 quantized_positions: quantized_positions.write(),

@@ -42,6 +42,7 @@ pub(crate) fn shift_positions_matches_its_twin(device: &Device) {
                     counters: counters.write(),
                     solids: None,
                     solid_poses: None,
+                    solid_fields: None,
                     solid_blocks: None,
                     step_state: state.uniform(),
                     step_params: step_params.uniform(),

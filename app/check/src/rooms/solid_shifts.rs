@@ -24,7 +24,7 @@ pub(crate) fn shifts_end_at_solids(device: &Device) {
     let (mut stopped, mut fickle, mut refused, mut all) = (0, 0, 0, 0);
     for size in sizes(device, ShiftPositions::GROUP_SIZE[0] as usize) {
         let moving = case.moving(TIMES_S[size % TIMES_S.len()]);
-        let standing: Vec<Moving> = moving.iter().map(|(solid, _, pose)| (*solid, *pose, *pose)).collect();
+        let standing: Vec<Moving> = moving.iter().map(|(solid, _, pose)| (solid.clone(), *pose, *pose)).collect();
         let starts_m = near_solids(&mut rng, size, &moving);
         let ends_m: Vec<DVec3> = paths(&mut rng, &starts_m, 5.0 / 240.0);
         let positions: Vec<Position> =
@@ -35,6 +35,7 @@ pub(crate) fn shifts_end_at_solids(device: &Device) {
         let mut bench = Bench::new(device);
         let solids = bench.input("solids", &case.solids);
         let poses = bench.input("solid_poses", &case.poses(&moving));
+        let fields = bench.input("solid_fields", &case.fields);
         let blocks = bench.input("solid_blocks", &case.blocks(&moving));
         let mut positions_buffer = bench.input("positions", &positions);
         let shifts_buffer = bench.input("shifts", &shifts);
@@ -50,6 +51,7 @@ pub(crate) fn shifts_end_at_solids(device: &Device) {
                 counters: counters.write(),
                 solids: Some(solids.read()),
                 solid_poses: Some(poses.read()),
+                solid_fields: Some(fields.read()),
                 solid_blocks: Some(blocks.read()),
                 step_state: state.uniform(),
                 step_params: step_params.uniform(),

@@ -8,7 +8,7 @@ use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, ensure, ensure_eq};
 use brooklet_fluid::Scene;
 use brooklet_fluid::boundary::solids::solids_params;
-use brooklet_fluid::scene::solids;
+use brooklet_fluid::scene::{field_nodes, solids};
 use brooklet_kernels::{
     CollideSolids, CollideSolidsVariant, ConfineDisplacements, ConfineDisplacementsVariant, Kernel as _, Keyframe,
     MarkSolids, MoveSolids, Position, SampleSolids, Solid, SolidContact, SolidPose, SolidsParams, StepParams,
@@ -26,68 +26,21 @@ const SIZE_M: f64 = 1.0;
 pub(super) const DT_S: f32 = 1.0 / 240.0;
 pub(super) const STOP_M: f64 = 0.5 * SPACING_M;
 
-/// One solid of each kind, some of them hollow, standing and moving, two of which overlap.
-const SCENE: &str = r#"
-spacing_m = 0.02
-[domain]
-min_m = [0, 0, 0]
-max_m = [1, 1, 1]
-[[solid]]
-box = { size_m = [0.2, 0.1, 0.3] }
-centre_m = [0.25, 0.3, 0.3]
-turned_deg = [10, 40, -20]
-[[solid]]
-sphere = { radius_m = 0.1 }
-centre_m = [0.35, 0.3, 0.3]
-friction = 0.3
-[[solid]]
-capsule = { radius_m = 0.05, length_m = 0.3 }
-spin_deg_s = [100, 0, 50]
-centre_m = [0.7, 0.3, 0.3]
-[[solid]]
-cylinder = { radius_m = 0.15, length_m = 0.3 }
-thickness_m = 0.02
-open = "y_max"
-restitution = 0.5
-[[solid.keyframe]]
-time_s = 0.5
-centre_m = [0.3, 0.6, 0.7]
-[[solid.keyframe]]
-time_s = 0.8
-centre_m = [0.35, 0.65, 0.7]
-turned_deg = [0, 0, 30]
-[[solid.keyframe]]
-time_s = 1.6
-centre_m = [0.3, 0.6, 0.7]
-turned_deg = [0, 0, -30]
-[[solid]]
-box = { size_m = [0.3, 0.3, 0.3] }
-thickness_m = 0.03
-centre_m = [0.75, 0.7, 0.7]
-velocity_m_s = [0.5, 0, 0.1]
-[[solid]]
-cylinder = { radius_m = 0.06, length_m = 0.4 }
-thickness_m = 0.02
-open = "ends"
-turned_deg = [0, 0, 70]
-centre_m = [0.5, 0.85, 0.3]
-[solver]
-method = "none"
-max_speed_m_s = 6
-"#;
+/// One solid of each kind, some of them hollow, standing and moving, two of which overlap; two are fields.
+const SCENE: &str = include_str!("solids.toml");
 
 pub(super) struct Case {
     pub(super) solids: Vec<Solid>,
     keyframes: Vec<Keyframe>,
+    pub(super) fields: Vec<[f32; 2]>,
     pub(super) params: SolidsParams,
 }
 
 pub(super) fn case() -> Case {
     let scene = Scene::from_toml(SCENE, "solids", &[]).or_raise();
     let (solids, keyframes) = solids(&scene);
-    // Particles that meet nobody know of no kernel.
     let params = SolidsParams { stop_m: STOP_M as f32, reach_m: (2.0 * SUPPORT_M) as f32, ..solids_params(&scene) };
-    Case { solids, keyframes, params }
+    Case { solids, keyframes, fields: field_nodes(&scene), params }
 }
 
 impl Case {
@@ -100,7 +53,10 @@ impl Case {
     pub(super) fn moving(&self, time_s: f64) -> Vec<Moving> {
         let at = |solid: &Solid, time_s: f64| pose_at(self.keyframes_of(solid), solid.period_s.into(), time_s);
         let dt_s = f64::from(DT_S);
-        self.solids.iter().map(|solid| (TwinSolid::of(solid), at(solid, time_s - dt_s), at(solid, time_s))).collect()
+        self.solids
+            .iter()
+            .map(|solid| (TwinSolid::of(solid, &self.fields), at(solid, time_s - dt_s), at(solid, time_s)))
+            .collect()
     }
 
     fn reach_m(&self) -> f64 {
@@ -297,6 +253,7 @@ pub(crate) fn collide_solids_matches_its_twin(device: &Device) {
         let mut bench = Bench::new(device);
         let solids = bench.input("solids", &case.solids);
         let poses = bench.input("solid_poses", &case.poses(&moving));
+        let fields = bench.input("solid_fields", &case.fields);
         let blocks = bench.input("solid_blocks", &case.blocks(&moving));
         let mut positions_buffer = bench.input("positions", &positions);
         let mut velocities_buffer = bench.input("velocities", &velocities);
@@ -308,6 +265,7 @@ pub(crate) fn collide_solids_matches_its_twin(device: &Device) {
                 variant: CollideSolidsVariant { bodies: false },
                 solids: solids.read(),
                 solid_poses: poses.read(),
+                solid_fields: fields.read(),
                 solid_blocks: blocks.read(),
                 positions: positions_buffer.write(),
                 velocities: velocities_buffer.write(),
@@ -361,7 +319,7 @@ pub(crate) fn confine_displacements_matches_its_twin(device: &Device) {
     let cases = STORAGES.map(|precision| sizes(device, group).into_iter().map(move |size| (precision, size)));
     for (precision, size) in cases.into_iter().flatten() {
         let moving = case.moving(TIMES_S[size % TIMES_S.len()]);
-        let standing: Vec<Moving> = moving.iter().map(|(solid, _, pose)| (*solid, *pose, *pose)).collect();
+        let standing: Vec<Moving> = moving.iter().map(|(solid, _, pose)| (solid.clone(), *pose, *pose)).collect();
         let quantization = quantization_of(precision);
         let starts_m = near_solids(&mut rng, size, &moving);
         let ends_m: Vec<DVec3> = paths(&mut rng, &starts_m, 0.9 * SUPPORT_M).into_iter().map(confined).collect();
@@ -372,6 +330,7 @@ pub(crate) fn confine_displacements_matches_its_twin(device: &Device) {
         let mut bench = Bench::new(device);
         let solids = bench.input("solids", &case.solids);
         let poses = bench.input("solid_poses", &case.poses(&moving));
+        let fields = bench.input("solid_fields", &case.fields);
         let blocks = bench.input("solid_blocks", &case.blocks(&moving));
         let sorted_positions = bench.input("sorted_positions", &sorted);
         let mut quantized_positions = bench.input("quantized_positions", &quantized);
@@ -384,6 +343,7 @@ pub(crate) fn confine_displacements_matches_its_twin(device: &Device) {
                 variant: ConfineDisplacementsVariant { bodies: false, precision },
                 solids: solids.read(),
                 solid_poses: poses.read(),
+                solid_fields: fields.read(),
                 solid_blocks: blocks.read(),
                 sorted_positions: sorted_positions.read(),
                 quantized_positions: quantized_positions.write(),
@@ -429,13 +389,14 @@ pub(crate) fn sample_solids_matches_its_twin(device: &Device) {
     let (mut felt, mut refused, mut moves) = (0, 0, 0);
     for size in sizes(device, SampleSolids::GROUP_SIZE[0] as usize) {
         let moving = case.moving(TIMES_S[size % TIMES_S.len()]);
-        let standing: Vec<(TwinSolid, Pose)> = moving.iter().map(|(solid, _, pose)| (*solid, *pose)).collect();
+        let standing: Vec<(TwinSolid, Pose)> = moving.iter().map(|(solid, _, pose)| (solid.clone(), *pose)).collect();
         let places_m = near_solids(&mut rng, size, &moving);
         let positions: Vec<Position> =
             (0..size).map(|i| Position { position_m: single(places_m[i]), tag: i as u32 | out_of_part(i) }).collect();
         let mut bench = Bench::new(device);
         let solids = bench.input("solids", &case.solids);
         let poses = bench.input("solid_poses", &case.poses(&moving));
+        let fields = bench.input("solid_fields", &case.fields);
         let blocks = bench.input("solid_blocks", &case.blocks(&moving));
         let positions_buffer = bench.input("positions", &positions);
         let mut contacts = bench.output::<SolidContact>("solid_contacts", size);
@@ -447,6 +408,7 @@ pub(crate) fn sample_solids_matches_its_twin(device: &Device) {
                 positions: positions_buffer.read(),
                 solids: solids.read(),
                 solid_poses: poses.read(),
+                solid_fields: fields.read(),
                 solid_blocks: blocks.read(),
                 solid_contacts: contacts.write(),
                 step_state: state.uniform(),

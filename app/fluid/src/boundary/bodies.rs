@@ -41,6 +41,7 @@ impl BodyBuffers {
 pub(super) struct Around<'a> {
     pub solids: &'a Buffer<Solid>,
     pub poses: &'a mut Buffer<SolidPose>,
+    pub fields: &'a Buffer<[f32; 2]>,
     pub slots: &'a Slots,
     pub step: &'a Buffer<StepParams>,
     pub params: &'a Buffer<SolidsParams>,
@@ -69,7 +70,7 @@ impl Bodies {
 
     /// Moves them by what the last substep's particles gave, gravity, and what they touch.
     pub(super) fn record_step(&mut self, recording: &mut Recording, around: Around<'_>) {
-        let Around { solids, poses, slots, step, params } = around;
+        let Around { solids, poses, fields, slots, step, params } = around;
         recording.dispatch(
             &FindContacts {
                 surface_points: self.points.read(),
@@ -77,6 +78,7 @@ impl Bodies {
                 body_states: self.buffers.states.read(),
                 solids: solids.read(),
                 solid_poses: poses.read(),
+                solid_fields: fields.read(),
                 body_contacts: self.contacts.write(),
                 step_state: slots.state.uniform(),
                 step_params: step.uniform(),

@@ -13,7 +13,7 @@ use brooklet_kernels::{
 };
 
 use super::bodies::{Around, Bodies, BodyBuffers};
-use crate::scene::{Scene, bodies, solids, surface_points};
+use crate::scene::{Scene, bodies, field_nodes, solids, surface_points};
 use crate::slots::Slots;
 
 /// Blocks along the longest side of the domain, at most.
@@ -26,6 +26,7 @@ pub struct Solids {
     pub(crate) solids: Buffer<Solid>,
     keyframes: Buffer<Keyframe>,
     poses: Buffer<SolidPose>,
+    pub(crate) fields: Buffer<[f32; 2]>,
     pub(crate) blocks: Buffer<[u32; 4]>,
     block_count: u32,
     contacts: Buffer<SolidContact>,
@@ -81,6 +82,7 @@ impl Solids {
             solids: resources.persistent("solids", solids.len() as u32),
             keyframes: resources.persistent("keyframes", keyframes.len() as u32),
             poses: resources.persistent("solid_poses", solids.len() as u32),
+            fields: resources.persistent("solid_fields", field_nodes(scene).len() as u32),
             blocks: resources.buffer("solid_blocks", block_count),
             block_count,
             contacts: resources.buffer("solid_contacts", slots.capacity),
@@ -94,6 +96,7 @@ impl Solids {
         let (solids, keyframes) = solids(scene);
         init.upload(&mut self.solids, &solids);
         init.upload(&mut self.keyframes, &keyframes);
+        init.upload(&mut self.fields, &field_nodes(scene));
         init.upload(&mut self.params, &[solids_params(scene)]);
         if let Some(bodies) = &mut self.bodies {
             bodies.record_init(init, scene);
@@ -104,8 +107,9 @@ impl Solids {
     pub(crate) fn record_step(&mut self, recording: &mut Recording) {
         if let Some(bodies) = &mut self.bodies {
             let poses = &mut self.poses;
-            let (solids, slots, step, params) = (&self.solids, &self.slots, &self.step, &self.params);
-            bodies.record_step(recording, Around { solids, poses, slots, step, params });
+            let (solids, fields, params) = (&self.solids, &self.fields, &self.params);
+            let (slots, step) = (&self.slots, &self.step);
+            bodies.record_step(recording, Around { solids, poses, fields, slots, step, params });
         }
     }
 
@@ -158,6 +162,7 @@ impl Solids {
                 variant: CollideSolidsVariant { bodies: is_any_body },
                 solids: self.solids.read(),
                 solid_poses: self.poses.read(),
+                solid_fields: self.fields.read(),
                 solid_blocks: self.blocks.read(),
                 positions: positions.write(),
                 velocities: velocities.write(),
@@ -194,6 +199,7 @@ impl Solids {
                 positions: positions.read(),
                 solids: self.solids.read(),
                 solid_poses: self.poses.read(),
+                solid_fields: self.fields.read(),
                 solid_blocks: self.blocks.read(),
                 solid_contacts: self.contacts.write(),
                 step_state: self.slots.state.uniform(),
@@ -222,6 +228,7 @@ impl Solids {
                 variant: ConfineDisplacementsVariant { bodies: is_any_body, precision },
                 solids: self.solids.read(),
                 solid_poses: self.poses.read(),
+                solid_fields: self.fields.read(),
                 solid_blocks: self.blocks.read(),
                 sorted_positions: sorted_positions.read(),
                 quantized_positions: quantized_positions.write(),
@@ -268,6 +275,7 @@ impl Solids {
             solids: self.solids.alias(),
             keyframes: self.keyframes.alias(),
             poses: self.poses.alias(),
+            fields: self.fields.alias(),
             blocks: self.blocks.alias(),
             contacts: self.contacts.alias(),
             bodies: self.bodies.as_ref().map(Bodies::alias),

@@ -62,7 +62,7 @@ struct MassProperties {
 
 /// Of a shape as `Solid::half_m` has it, with a cavity.
 fn mass_properties(solid: &SolidSettings) -> MassProperties {
-    let (shape, half_m, _) = halves(solid.shape());
+    let (shape, half_m, _) = halves(solid);
     let outer = filled(shape, -half_m, half_m);
     let cavity = cavity_m(solid).map(|[min_m, max_m]| filled(shape, min_m.max(-half_m), max_m.min(half_m)));
     let hollow_m3 = cavity.map_or(0.0, |cavity| cavity.volume_m3);
@@ -159,7 +159,7 @@ pub fn surface_points(scene: &Scene) -> Vec<SurfacePoint> {
 
 /// Balls on a solid's surface, in its frame: place and radius, m. None where an open one has no surface.
 pub(super) fn points_of(solid: &SolidSettings) -> Vec<(DVec3, f64)> {
-    let (shape, half_m, extent_m) = halves(solid.shape());
+    let (shape, half_m, extent_m) = halves(solid);
     let along =
         |half_m: f64, count: u32| (0..count).map(move |k| half_m * (2.0 * f64::from(k) / f64::from(count - 1) - 1.0));
     let points: Vec<(DVec3, f64)> = match shape {
@@ -205,7 +205,7 @@ mod tests {
 
     /// Sums over a grid.
     fn summed(solid: &SolidSettings) -> (f64, DVec3, DVec3) {
-        let (shape, half_m, extent_m) = halves(solid.shape());
+        let (shape, half_m, extent_m) = halves(solid);
         let cavity_m = cavity_m(solid);
         let (steps, mut volume_m3, mut first, mut second) = (80, 0.0, DVec3::ZERO, DVec3::ZERO);
         let step_m = 2.0 * extent_m / f64::from(steps);
@@ -260,7 +260,7 @@ mod tests {
     #[test]
     fn points_are_on_the_surface_and_not_on_a_lid_that_is_not_there() {
         for solid in solids() {
-            let (shape, half_m, _) = halves(solid.shape());
+            let (shape, half_m, _) = halves(&solid);
             let points = points_of(&solid);
             assert!(!points.is_empty() && points.len() <= 64, "{solid:?}: {}", points.len());
             for (place_m, radius_m) in points {

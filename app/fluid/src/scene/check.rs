@@ -3,7 +3,9 @@
 mod bodies;
 mod emitters;
 mod faces;
+mod forms;
 mod solids;
+mod sph;
 
 use std::fmt::Display;
 
@@ -14,7 +16,7 @@ use super::field::{Kind, Short};
 use super::fields::kind_of;
 use super::fill::{self, MAX_FLUIDS, MAX_PARTICLES};
 use super::paths::as_number;
-use super::{Acceleration, Fluid, Method, PointColor, Scene, SceneError, SmoothingKernel};
+use super::{Acceleration, Fluid, Method, PointColor, Scene, SceneError};
 use crate::solver::pbf::{IterationWeights, MAX_CELLS, MOST_WARM_START, are_few_cells, finest_cells, narrow_axis};
 
 /// Spacings a side of the domain may have: f32 positions then still tell 1/256 of a spacing apart.
@@ -54,6 +56,16 @@ impl Checker<'_> {
             (Some(kind @ Kind::Vector(limits)), Value::Array(items)) => {
                 let ok = items.iter().all(|item| as_number(item).is_some_and(|n| limits.hold(n)));
                 self.require(ok, field, written(value), kind)
+            }
+            (Some(Kind::Vectors(limits)), Value::Array(points)) => {
+                let outside = points.iter().position(|point| {
+                    let numbers = point.as_array().into_iter().flatten();
+                    !numbers.map(as_number).all(|n| n.is_some_and(|n| limits.hold(n)))
+                });
+                let kind = Kind::Vector(limits);
+                outside.map_or(Ok(()), |at| {
+                    self.require(false, field, written(&points[at]), format_args!("point {at} {kind}"))
+                })
             }
             (_, Value::Table(table)) => table.iter().try_for_each(|(key, value)| match field {
                 "" => self.limits(key, value),
@@ -265,47 +277,6 @@ impl Scene {
             format_args!(
                 "the domain has {x} x {y} x {z} cells of 2 h = {cell_m} m, and {MAX_CELLS} fit: make it smaller, or \
                  spacing_m more"
-            ),
-        )
-    }
-
-    /// Kernels with an end where they meet their own particle, and no more substeps than a recording holds.
-    fn check_sph(&self, check: &Checker) -> Result<(), SceneError> {
-        let sph = &self.solver.sph;
-        for (field, kernel) in
-            [("solver.sph.density_kernel", sph.density_kernel), ("solver.sph.pressure_kernel", sph.pressure_kernel)]
-        {
-            check.require(
-                kernel != SmoothingKernel::Viscosity,
-                field,
-                "\"viscosity\"",
-                format_args!(
-                    "must be \"{}\": that kernel has no end where particles meet",
-                    SmoothingKernel::FINITE_NAMES.join("\" or \"")
-                ),
-            )?;
-        }
-        check.require(
-            sph.surface_tension_n_m == 0.0 || self.solver.support_ratio >= LEAST_TENSION_RATIO,
-            "solver.sph.surface_tension_n_m",
-            Short(sph.surface_tension_n_m),
-            format_args!(
-                "needs a solver.support_ratio of {LEAST_TENSION_RATIO} or more: with less a surface has \
-                 one layer that knows its normal, and a drop was measured to lose particles"
-            ),
-        )?;
-        if !sph.adaptive_substeps {
-            return Ok(());
-        }
-        let (most, limit_s) = (self.most_substeps(), self.sound_limit_s().min(self.steady_limit_s()));
-        check.require(
-            most <= MAX_SUBSTEPS,
-            "solver.dt_s",
-            Short(self.solver.dt_s),
-            format_args!(
-                "takes up to {most} substeps, whose limit is {:.3e} s by the speed of sound and viscosity; at most \
-                 {MAX_SUBSTEPS}: a shorter solver.dt_s, or less of solver.sph.stiffness_m2_s2 or of the viscosities",
-                limit_s
             ),
         )
     }

@@ -188,6 +188,8 @@ pub enum Kind {
     Whole(Limits),
     /// Three numbers along x, y and z; the limits are each one's.
     Vector(Limits),
+    /// Any number of those.
+    Vectors(Limits),
     /// One of these texts.
     Choice(&'static [&'static str]),
     /// `true` or `false`.
@@ -234,6 +236,7 @@ impl Display for Kind {
             Self::Number(limits) => write!(f, "must be a number from {limits}"),
             Self::Whole(limits) => write!(f, "must be a whole number from {limits}"),
             Self::Vector(limits) => write!(f, "must be three numbers, each from {limits}"),
+            Self::Vectors(limits) => write!(f, "must be points of three numbers, each from {limits}"),
             Self::Choice(names) => write!(f, "must be \"{}\"", names.join("\" or \"")),
             Self::Switch => f.write_str("must be true or false"),
             Self::Switches => f.write_str("must be three of true or false, along x, y and z"),

@@ -5,6 +5,7 @@
 
 use super::faces::Slip;
 use super::field::{Field, Kind, Limits};
+use super::mesh_shapes::Relief;
 use super::pbf::Acceleration;
 use super::solids::{OpenFaces, SolidLook};
 use super::solver::{Method, Precision};
@@ -131,6 +132,24 @@ pub const FIELDS: &[Field] = &[
     Field::new("solid.*.cylinder", Kind::Table, REBUILD),
     Field::new("solid.*.cylinder.radius_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
     Field::new("solid.*.cylinder.length_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.mesh", Kind::Table, REBUILD),
+    Field::new("solid.*.mesh.file", Kind::Text, REBUILD),
+    Field::new("solid.*.mesh.scale_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.mesh.cell_m", number(1.0e-6, 1.0e3, "m"), REBUILD),
+    Field::new("solid.*.hull", Kind::Table, REBUILD),
+    Field::new("solid.*.hull.points_m", Kind::Vectors(within(-1.0e6, 1.0e6, "m")), REBUILD),
+    Field::new("solid.*.hull.file", Kind::Text, REBUILD),
+    Field::new("solid.*.hull.scale_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.hull.cell_m", number(1.0e-6, 1.0e3, "m"), REBUILD),
+    Field::new("solid.*.terrain", Kind::Table, REBUILD),
+    Field::new("solid.*.terrain.size_m", Kind::Vector(within(1.0e-6, 1.0e6, "m")), REBUILD),
+    Field::new("solid.*.terrain.file", Kind::Text, REBUILD),
+    Field::new("solid.*.terrain.relief", Kind::Choice(Relief::NAMES), REBUILD),
+    Field::new("solid.*.terrain.seed", whole(0.0, 4_294_967_295.0, ""), REBUILD),
+    Field::new("solid.*.terrain.feature_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.terrain.channel_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.terrain.fall_m", number(0.0, 1.0e6, "m"), REBUILD),
+    Field::new("solid.*.terrain.cell_m", number(1.0e-6, 1.0e3, "m"), REBUILD),
     Field::new("solid.*.thickness_m", number(1.0e-6, 1.0e6, "m"), REBUILD),
     Field::new("solid.*.open", Kind::Choice(OpenFaces::NAMES), REBUILD),
     Field::new("solid.*.centre_m", PLACE, REBUILD),

@@ -105,7 +105,7 @@ impl<'a> Filled<'a> {
             let [low_m, high_m] = solid.bounds_m();
             (0..3).all(|axis| low_m[axis] - from_solids_m <= max_m[axis] && high_m[axis] + from_solids_m >= min_m[axis])
         };
-        let solids = scene.solids.iter().map(StandingSolid::of).filter(is_near).collect();
+        let solids = scene.solids.iter().map(|solid| StandingSolid::of(solid, scene)).filter(is_near).collect();
         Some(Filled { index, fluid, lattice, earlier, solids, from_solids_m })
     }
 

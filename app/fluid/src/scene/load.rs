@@ -85,6 +85,7 @@ impl Scene {
         methods::refuse_foreign(&table, text, source_name, FIELDS)?;
         let mut scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
             .map_err(|error| explain::mismatch(&error, &table, text, source_name, from_text))?;
+        scene.form_solids(source_name)?;
         scene.check(source_name)?;
         if scene.solver.method == Method::Dfsph {
             // Once: gravity and dt may change while a plan's substeps stay.

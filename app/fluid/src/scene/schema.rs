@@ -84,6 +84,12 @@ fn limit(part: &mut Value, kind: &Kind) {
                 put(items, limits);
             }
         }
+        Kind::Vectors(limits) => {
+            let numbers = part.get_mut("items").and_then(|point| point.get_mut("items"));
+            if let Some(items) = numbers.and_then(Value::as_object_mut) {
+                put(items, limits);
+            }
+        }
         Kind::Choice(_) | Kind::Switch | Kind::Switches | Kind::Text | Kind::Table | Kind::Tables => {}
     }
 }

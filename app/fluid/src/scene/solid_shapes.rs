@@ -1,11 +1,15 @@
 //! What the shaders are told of solids, and how far from one a place is before anything moves.
 
+use std::sync::Arc;
+
 use brooklet_kernels::{
-    BodyState, Keyframe, MAX_SOLIDS, NO_BODY, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, Solid, SolidPose,
+    BodyState, Keyframe, MAX_SOLIDS, NO_BODY, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, SHAPE_FIELD, Solid, SolidPose,
 };
+use brooklet_shapes::Field;
 use glam::{DQuat, DVec2, DVec3, Quat, Vec3};
 
 use super::bodies::bodies;
+use super::forms::fields;
 use super::{Scene, Shape, SolidSettings};
 
 /// Solids that a scene may have.
@@ -91,8 +95,8 @@ fn in_small_turns(keyframes: &[Pose]) -> Vec<Pose> {
 }
 
 /// Half the sides of what holds a shape, in the form of the shaders' `Solid::half_m`, and of the box around it.
-pub(super) fn halves(shape: Shape) -> (u32, DVec3, DVec3) {
-    match shape {
+pub(super) fn halves(solid: &SolidSettings) -> (u32, DVec3, DVec3) {
+    match solid.shape() {
         Shape::Box(half_m) => (SHAPE_BOX, half_m.into(), half_m.into()),
         Shape::Capsule(radius_m, half_m) => {
             (SHAPE_CAPSULE, DVec3::new(radius_m, half_m, radius_m), DVec3::new(radius_m, half_m + radius_m, radius_m))
@@ -101,13 +105,21 @@ pub(super) fn halves(shape: Shape) -> (u32, DVec3, DVec3) {
             let half_m = DVec3::new(radius_m, half_m, radius_m);
             (SHAPE_CYLINDER, half_m, half_m)
         }
+        Shape::Triangles => {
+            let thickness_m = solid.thickness_m.unwrap_or_default();
+            let extent_m = solid.triangles().map_or(DVec3::ZERO, |triangles| triangles.extent_m(thickness_m));
+            (SHAPE_FIELD, DVec3::ZERO, extent_m)
+        }
     }
 }
 
 /// The cavity of a hollow solid: its lowest and highest corner, beyond the shape where it is open.
 pub(super) fn cavity_m(solid: &SolidSettings) -> Option<[DVec3; 2]> {
     let thickness_m = solid.thickness_m?;
-    let (shape, half_m, extent_m) = halves(solid.shape());
+    let (shape, half_m, extent_m) = halves(solid);
+    if shape == SHAPE_FIELD {
+        return None;
+    }
     let mut inner_m = half_m - thickness_m;
     if shape == SHAPE_CAPSULE {
         inner_m.y = half_m.y;
@@ -129,8 +141,9 @@ pub fn solids(scene: &Scene) -> (Vec<Solid>, Vec<Keyframe>) {
     let origin_m = DVec3::from_array(scene.domain.min_m);
     let mut keyframes = Vec::new();
     let mut bodies = 0..;
+    let fields = fields(scene);
     let of = |solid: &SolidSettings| {
-        let (shape, half_m, extent_m) = halves(solid.shape());
+        let (shape, half_m, extent_m) = halves(solid);
         let cavity_m = cavity_m(solid);
         let [cavity_min_m, cavity_max_m] = cavity_m.unwrap_or_default().map(|end_m| end_m.as_vec3().to_array());
         let (poses, period_s) = motion(solid);
@@ -153,10 +166,23 @@ pub fn solids(scene: &Scene) -> (Vec<Solid>, Vec<Keyframe>) {
             keyframe_count: poses.len() as u32,
             period_s: period_s as f32,
             body: solid.density_kg_m3.and_then(|_| bodies.next()).unwrap_or(NO_BODY),
+            ..field_of(solid.field(scene), &fields)
         }
     };
     let solids = scene.solids.iter().map(of).collect();
     (solids, keyframes)
+}
+
+/// What the shaders are told of a solid's field, which is one of these; nothing of a solid that has none.
+fn field_of(field: Option<Arc<Field>>, fields: &[(Arc<Field>, u32)]) -> Solid {
+    let found = field.and_then(|field| fields.iter().find(|(other, _)| Arc::ptr_eq(other, &field)));
+    found.map_or_else(Solid::default, |(field, first)| Solid {
+        field_min_m: field.min_m.as_vec3().to_array(),
+        field_cell_m: field.cell_m as f32,
+        field_nodes: field.nodes,
+        first_field_node: *first,
+        ..Solid::default()
+    })
 }
 
 /// Where the solids of a scene are before a step moves them: bodies as `states` has them, others as they begin.
@@ -208,19 +234,23 @@ pub(super) struct StandingSolid {
     half_m: DVec3,
     extent_m: DVec3,
     cavity_m: Option<[DVec3; 2]>,
+    field: Option<Arc<Field>>,
 }
 
 impl StandingSolid {
     /// The solid before anything moves.
-    pub(super) fn of(solid: &SolidSettings) -> Self {
-        let (shape, half_m, extent_m) = halves(solid.shape());
+    pub(super) fn of(solid: &SolidSettings, scene: &Scene) -> Self {
+        let (shape, half_m, extent_m) = halves(solid);
         let pose = motion(solid).0.first().copied().unwrap_or_else(Pose::standing);
-        Self { pose, shape, half_m, extent_m, cavity_m: cavity_m(solid) }
+        Self { pose, shape, half_m, extent_m, cavity_m: cavity_m(solid), field: solid.field(scene) }
     }
 
     /// How far a place is from its surface, m; negative inside it. What a hollow one holds is outside.
     pub(super) fn distance_m(&self, place_m: [f64; 3]) -> f64 {
         let in_frame_m = self.pose.rotation.inverse() * (DVec3::from_array(place_m) - self.pose.centre_m);
+        if let Some(field) = &self.field {
+            return field.distance_m(in_frame_m);
+        }
         let outside_m = from_shape_m(self.shape, in_frame_m, self.half_m);
         self.cavity_m.map_or(outside_m, |[min_m, max_m]| {
             let in_cavity_m = in_frame_m - 0.5 * (min_m + max_m);
@@ -243,7 +273,7 @@ impl StandingSolid {
 
 /// The fastest that a point of the solid moves between two of its keyframes, m/s, and the number of the second.
 pub(super) fn fastest_m_s(solid: &SolidSettings) -> (f64, usize) {
-    let reach_m = halves(solid.shape()).2.length();
+    let reach_m = halves(solid).2.length();
     let (poses, _) = motion(solid);
     let number =
         |pose: &Pose| solid.keyframes.iter().position(|keyframe| keyframe.time_s >= pose.time_s).unwrap_or_default();

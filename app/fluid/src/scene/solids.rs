@@ -2,6 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::forms::Form;
+use super::mesh_shapes::{HullShape, MeshShape, TerrainShape};
+
 /// A solid: a shape, where it stands, and how it moves.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -19,7 +22,16 @@ pub struct SolidSettings {
     /// A cylinder along y.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cylinder: Option<RoundShape>,
-    /// How thick the wall of a hollow one is, m. Default: it is not hollow.
+    /// The triangles of a file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<MeshShape>,
+    /// The smallest convex solid with some points in it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hull: Option<HullShape>,
+    /// Ground: heights, and all that is below.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub terrain: Option<TerrainShape>,
+    /// How thick the wall of a hollow one is, m; of a mesh, that it is a sheet. Default: neither.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thickness_m: Option<f64>,
     /// Which faces a hollow one lacks, in its own frame.
@@ -53,6 +65,9 @@ pub struct SolidSettings {
     /// green.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub color: Option<[f64; 3]>,
+    /// The triangles that it is, where its shape is not one of the plain ones.
+    #[serde(skip)]
+    pub(crate) form: Form,
 }
 
 /// What a solid is drawn as.
@@ -157,11 +172,16 @@ pub enum Shape {
     Capsule(f64, f64),
     /// A radius and half a length, m.
     Cylinder(f64, f64),
+    /// A mesh, a hull or ground.
+    Triangles,
 }
 
 impl SolidSettings {
     /// Its shape: the first that is given; a check sees to it that there is one.
     pub fn shape(&self) -> Shape {
+        if self.has_triangles() {
+            return Shape::Triangles;
+        }
         match (self.cuboid, self.sphere, self.capsule, self.cylinder) {
             (Some(cuboid), ..) => Shape::Box(cuboid.size_m.map(|side_m| 0.5 * side_m)),
             (_, Some(sphere), ..) => Shape::Capsule(sphere.radius_m, 0.0),
@@ -175,7 +195,13 @@ impl SolidSettings {
 
     /// How many shapes are given.
     pub(crate) fn shapes_given(&self) -> usize {
-        let given = [self.cuboid.is_some(), self.sphere.is_some(), self.capsule.is_some(), self.cylinder.is_some()];
-        given.into_iter().filter(|&given| given).count()
+        let plain = [self.cuboid.is_some(), self.sphere.is_some(), self.capsule.is_some(), self.cylinder.is_some()];
+        let triangles = [self.mesh.is_some(), self.hull.is_some(), self.terrain.is_some()];
+        plain.into_iter().chain(triangles).filter(|&given| given).count()
+    }
+
+    /// Whether it is a mesh, a hull or ground.
+    pub fn has_triangles(&self) -> bool {
+        self.mesh.is_some() || self.hull.is_some() || self.terrain.is_some()
     }
 }

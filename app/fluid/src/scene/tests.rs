@@ -74,9 +74,12 @@ fn setting(field: &str, value: &str) -> Vec<String> {
     }
     if field.starts_with("solid.*") {
         let round = ["capsule", "cylinder"].into_iter().find(|shape| field.starts_with(&format!("solid.*.{shape}.")));
-        settings.push(match round {
-            Some(shape) => format!("solid=[{{ {shape} = {{ radius_m = 0.2, length_m = 0.5 }} }}]"),
-            None => "solid=[{ keyframe = [{ time_s = 0 }] }]".into(),
+        let triangles = [("mesh", "file = \"a.obj\""), ("hull", ""), ("terrain", "size_m = [1, 0.2, 1]")];
+        let own = triangles.into_iter().find(|(shape, _)| field.starts_with(&format!("solid.*.{shape}.")));
+        settings.push(match (round, own) {
+            (Some(shape), _) => format!("solid=[{{ {shape} = {{ radius_m = 0.2, length_m = 0.5 }} }}]"),
+            (_, Some((shape, own))) => format!("solid=[{{ {shape} = {{ {own} }} }}]"),
+            (None, None) => "solid=[{ keyframe = [{ time_s = 0 }] }]".into(),
         });
     }
     if field.starts_with("emitter.*") || field.starts_with("drain.*") {
@@ -113,6 +116,9 @@ fn each_field_refuses_what_it_does_not_take_by_name_and_value() {
                     .map(|value| (value.into(), limits.to_string()))
                     .collect()
             }
+            Kind::Vectors(limits) => ["[[0, nan, 0]]", "[[0, 0]]", "[0, 0, 0]", "1", "[[0, 1e30, 0]]", "[\"a\"]"]
+                .map(|value| (value.into(), limits.to_string()))
+                .into(),
             Kind::Choice(names) => ["\"other\"", "7", "true"].map(|value| (value.into(), names[0].into())).into(),
             Kind::Switch => ["0", "\"yes\"", "[true]"].map(|value| (value.into(), "true or false".into())).into(),
             Kind::Switches => ["true", "[true, false]", "[true, false, 1]", "[\"x\", false, false]", "7"]
@@ -201,6 +207,32 @@ fn the_table_has_every_field() {
         drains: [&scene.drains[..], &[DrainSettings { domain_exit: true, ..DrainSettings::default() }]].concat(),
         ..scene
     };
+    // Of files that are not there.
+    let mut stiff = stiff;
+    let file = || "there.obj".to_owned();
+    stiff.solids.extend([
+        SolidSettings {
+            mesh: Some(MeshShape { file: file(), scale_m: 1.0, cell_m: Some(0.1) }),
+            ..SolidSettings::default()
+        },
+        SolidSettings {
+            hull: Some(HullShape { points_m: vec![[0.0; 3]], file: Some(file()), scale_m: 1.0, cell_m: Some(0.1) }),
+            ..SolidSettings::default()
+        },
+        SolidSettings {
+            terrain: Some(TerrainShape {
+                size_m: [1.0; 3],
+                file: Some(file()),
+                relief: Relief::Hills,
+                seed: 1,
+                feature_m: Some(1.0),
+                channel_m: Some(1.0),
+                fall_m: 1.0,
+                cell_m: Some(0.1),
+            }),
+            ..SolidSettings::default()
+        },
+    ]);
     let mut seen = std::collections::BTreeSet::new();
     fn visit(path: &str, value: &toml::Value, seen: &mut std::collections::BTreeSet<String>) {
         let kind = kind_of(path).unwrap_or_else(|| panic!("`{path}` is not in FIELDS (scene/fields.rs): add it"));
@@ -392,7 +424,7 @@ fn messages_about_solids_name_the_solid_and_what_is_allowed() {
     let cases: &[(&[&str], &[&str])] = &[
         (
             &["solid.0.sphere={ radius_m = 1 }"],
-            &["solid.0 = 2 shapes", "one of `box`, `sphere`, `capsule` and `cylinder`"],
+            &["solid.0 = 2 shapes", "one of `box`, `sphere`, `capsule`, `cylinder`, `mesh`, `hull` and `terrain`"],
         ),
         (&["solid.0.cylinder.radius_m=0"], &["solid.0.cylinder.radius_m = 0", "1e-6 to"]),
         (&["solid.0.cylinder.radius_m=0.15"], &["a radius of 0.05 m", "at least h/2 = 0.1 m"]),
@@ -414,33 +446,6 @@ fn messages_about_solids_name_the_solid_and_what_is_allowed() {
     assert!(load(&many, &[]).unwrap_err().contains("solid = 129 solids: at most 128"));
     let spinning = SMALL.to_string() + "[[solid]]\nbox = { size_m = [1, 1, 1] }\nspin_deg_s = [0, 1e5, 0]\n";
     assert!(load(&spinning, &[]).unwrap_err().contains("solid.0.spin_deg_s"));
-}
-
-/// One wrong thing each, of a scene with a body over a solid.
-#[test]
-fn messages_about_bodies_name_the_body_and_what_is_allowed() {
-    let solids = "[[solid]]\nbox = { size_m = [0.4, 0.2, 0.4] }\ncentre_m = [0.5, 1.5, 0.5]\ndensity_kg_m3 = 500\n\
-        [[solid]]\nsphere = { radius_m = 0.2 }\ncentre_m = [0.5, 1.2, 0.5]\n";
-    let text = SMALL.to_string() + solids;
-    let scene = load(&text, &["domain.max_m=[1, 2, 1]"]).unwrap();
-    assert!((body_mass_kg(&scene.solids[0]) - 16.0).abs() < 1e-9 && body_mass_kg(&scene.solids[1]) == 0.0);
-    let cases: &[(&str, &[&str])] = &[
-        ("solid.0.density_kg_m3=0", &["solid.0.density_kg_m3 = 0", "0.001 to"]),
-        ("solid.0.density_kg_m3=10", &["solid.0.density_kg_m3 = 10", "50 to 20000: 0.05 to 20 times the fluid's"]),
-        ("solid.0.keyframe=[{ time_s = 0 }]", &["solid.0", "not with"]),
-        ("solid.0.centre_m=[0.5, 1.3, 0.5]", &["solid.0.centre_m = 0.2 m of it are in solid.1", "at most, 0.025 m"]),
-        ("solid.0.centre_m=[0.9, 1.5, 0.5]", &["a body from x = 0.7 to 1.1: must begin in the domain, 0 to 1"]),
-        (
-            "solver.pbf.warm_start=0.2",
-            &["solver.pbf.warm_start = 0.2", "must be 0 with a solid that has a density_kg_m3"],
-        ),
-    ];
-    for (setting, parts) in cases {
-        let message = load(&text, &["domain.max_m=[1, 2, 1]", setting]).unwrap_err();
-        assert!(parts.iter().all(|part| message.contains(part)), "{setting}: {message}");
-    }
-    let many = SMALL.to_string() + &"[[solid]]\nsphere = { radius_m = 0.1 }\ndensity_kg_m3 = 500\n".repeat(65);
-    assert!(load(&many, &[]).unwrap_err().contains("solid = 65 solids with a density_kg_m3: at most 64"));
 }
 
 /// Particles are where no solid is, and their number is known without making them.

@@ -22,6 +22,8 @@ pub struct FindContacts<'a> {
     pub solids: Buf<'a, Solid>,
     /// `StructuredBuffer<SolidPose> solid_poses`.
     pub solid_poses: Buf<'a, SolidPose>,
+    /// `StructuredBuffer<float2> solid_fields`.
+    pub solid_fields: Buf<'a, [f32; 2]>,
     /// `RWStructuredBuffer<BodyContact> body_contacts`.
     pub body_contacts: BufMut<'a, BodyContact>,
     /// `ConstantBuffer<StepState> step_state`.
@@ -48,6 +50,7 @@ impl Kernel for FindContacts<'_> {
                 ("body_states", Some(self.body_states.id)),
                 ("solids", Some(self.solids.id)),
                 ("solid_poses", Some(self.solid_poses.id)),
+                ("solid_fields", Some(self.solid_fields.id)),
                 ("body_contacts", Some(self.body_contacts.id)),
                 ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
@@ -68,16 +71,17 @@ static BINDINGS_0: &[BindingInfo] = &[
     },
     BindingInfo { name: "bodies", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 } },
     BindingInfo { name: "body_states", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
-    BindingInfo { name: "solids", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "solid_poses", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "solid_fields", slot: 5, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "body_contacts",
-        slot: 5,
+        slot: 6,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
-    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 9, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_bodies_find_contacts.deflate"));
@@ -86,11 +90,11 @@ static FIND_CONTACTS: Module = Module {
     name: "FindContacts",
     entry: "FindContacts",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 19604 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 22952 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/find_contacts.compute",
-    hash: "f91dbaa8327f424c9306e5d4b2df269ce03a5b0fff45486b0132df7cda694e8d",
+    hash: "78ce44e1f6b703d6cc4b3731ed063a8a4e057715b260636191436d94c2ae0fea",
 };

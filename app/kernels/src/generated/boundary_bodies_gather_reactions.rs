@@ -83,5 +83,5 @@ static GATHER_REACTIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/gather_reactions.compute",
-    hash: "c84c1cd09b7ccbc863f993f3765ca9d2e3c46db16a07e49c6798d36dd7490066",
+    hash: "f7491bd34e76a91a12d32bbf630c24cf5b9d2a34a274a5a9a0bbe8163c9b871f",
 };

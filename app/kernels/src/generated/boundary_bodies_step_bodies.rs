@@ -96,5 +96,5 @@ static STEP_BODIES: Module = Module {
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "cb83c3db44115d0b31d78697141033cdf636d636201cccb4aaa6a2609859f7ba",
+    hash: "d890b4af8b81262746f34021e66251bf8acf4a31f8f2616202ba284cec652fe5",
 };

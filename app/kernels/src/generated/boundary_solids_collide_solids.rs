@@ -28,6 +28,8 @@ pub struct CollideSolids<'a> {
     pub solids: Buf<'a, Solid>,
     /// `StructuredBuffer<SolidPose> solid_poses`.
     pub solid_poses: Buf<'a, SolidPose>,
+    /// `StructuredBuffer<float2> solid_fields`.
+    pub solid_fields: Buf<'a, [f32; 2]>,
     /// `StructuredBuffer<uint4> solid_blocks`.
     pub solid_blocks: Buf<'a, [u32; 4]>,
     /// `RWStructuredBuffer<Position> positions`.
@@ -59,6 +61,7 @@ impl Kernel for CollideSolids<'_> {
             &[
                 ("solids", Some(self.solids.id)),
                 ("solid_poses", Some(self.solid_poses.id)),
+                ("solid_fields", Some(self.solid_fields.id)),
                 ("solid_blocks", Some(self.solid_blocks.id)),
                 ("positions", Some(self.positions.id)),
                 ("velocities", Some(self.velocities.id)),
@@ -76,55 +79,57 @@ impl Kernel for CollideSolids<'_> {
 pub(super) static MODULES: &[&Module] = &[&COLLIDE_SOLIDS, &COLLIDE_SOLIDS_WITH_BODIES];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "solid_poses", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "solid_fields", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "solid_blocks",
-        slot: 2,
+        slot: 3,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
     BindingInfo {
         name: "positions",
-        slot: 3,
+        slot: 4,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo {
         name: "velocities",
-        slot: 4,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
-    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "solid_poses", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "solid_fields", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "solid_blocks",
-        slot: 2,
+        slot: 3,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "body_states", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "body_states", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
     BindingInfo {
         name: "reactions",
-        slot: 4,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
     BindingInfo {
         name: "positions",
-        slot: 5,
+        slot: 6,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
     BindingInfo {
         name: "velocities",
-        slot: 6,
+        slot: 7,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 9, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 10, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_solids_collide_solids.deflate"));
@@ -133,24 +138,24 @@ static COLLIDE_SOLIDS: Module = Module {
     name: "CollideSolids",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 32012 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 43364 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "1c24c35b854358c57c7d61353856d6d6924e77247f6cd50863cd9713bcc5d20f",
+    hash: "691eeb83841310fb2a8705a5ef51b100d833f7a867f0f38cbb94325dbb1f7d69",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     name: "CollideSolids+BODIES",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 32012, bytes: 36244 },
+    spirv: Spirv::Packed { pack: PACK, first: 43364, bytes: 47580 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "9f33a31bf590005fe647790475f2916baceeb49038753ae6723aa07cf1c95f28",
+    hash: "736f8a147a1faef3a699f8800ada0ccf9d88101ce4a1f94ef827785466a13dc6",
 };

@@ -29,6 +29,8 @@ pub struct ConfineDisplacements<'a> {
     pub solids: Buf<'a, Solid>,
     /// `StructuredBuffer<SolidPose> solid_poses`.
     pub solid_poses: Buf<'a, SolidPose>,
+    /// `StructuredBuffer<float2> solid_fields`.
+    pub solid_fields: Buf<'a, [f32; 2]>,
     /// `StructuredBuffer<uint4> solid_blocks`.
     pub solid_blocks: Buf<'a, [u32; 4]>,
     /// `StructuredBuffer<Position> sorted_positions`.
@@ -69,6 +71,7 @@ impl Kernel for ConfineDisplacements<'_> {
             &[
                 ("solids", Some(self.solids.id)),
                 ("solid_poses", Some(self.solid_poses.id)),
+                ("solid_fields", Some(self.solid_fields.id)),
                 ("solid_blocks", Some(self.solid_blocks.id)),
                 ("sorted_positions", Some(self.sorted_positions.id)),
                 ("quantized_positions", Some(self.quantized_positions.id)),
@@ -92,57 +95,59 @@ pub(super) static MODULES: &[&Module] = &[
 ];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "solid_poses", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "solid_fields", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "solid_blocks",
-        slot: 2,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
-    },
-    BindingInfo {
-        name: "sorted_positions",
         slot: 3,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
     BindingInfo {
-        name: "quantized_positions",
+        name: "sorted_positions",
         slot: 4,
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+    },
+    BindingInfo {
+        name: "quantized_positions",
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
-    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "kernel", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
-    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "solid_poses", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "solid_fields", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "solid_blocks",
-        slot: 2,
+        slot: 3,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "body_states", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "body_states", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
     BindingInfo {
         name: "reactions",
-        slot: 4,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 4 },
     },
     BindingInfo {
         name: "sorted_positions",
-        slot: 5,
+        slot: 6,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
     BindingInfo {
         name: "quantized_positions",
-        slot: 6,
+        slot: 7,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 8 },
     },
-    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 9, kind: BindingKind::Uniform { bytes: 64 } },
-    BindingInfo { name: "kernel", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 10, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "kernel", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_solids_confine_displacements.deflate"));
@@ -151,50 +156,50 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     name: "ConfineDisplacements",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 34092 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 45444 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "accb4155ba936c9fa74e81d540673ef4fa60b852a427c12dc229b55bed34bffe",
+    hash: "fdcedbd378c26515e5625fa69c78f58c613d426cc78da56ecdc790d77572e815",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 34092, bytes: 33684 },
+    spirv: Spirv::Packed { pack: PACK, first: 45444, bytes: 45036 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "e6ea0cd67a79ab2066125ffb95630588d1aaae5551b95e88f6d2e1ed56c39bbf",
+    hash: "2a4688492bb14def4b7b2f130781b8371de6bebdf302514f34832e85626db369",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     name: "ConfineDisplacements+BODIES",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 67776, bytes: 38328 },
+    spirv: Spirv::Packed { pack: PACK, first: 90480, bytes: 49664 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "37cd0e0bd522c10e3ecb1322c71c30b875662e7ccce21e4e12fbe1d260ff2c7f",
+    hash: "65fc152050ea813b607c2091df77f7f5036346db916c4a1d03eec4304b370224",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+BODIES+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 106104, bytes: 37936 },
+    spirv: Spirv::Packed { pack: PACK, first: 140144, bytes: 49272 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "1dc8a6dd9be3b2c18223ceafb38f2580c693c4674874514b4ffda9fe06a1c896",
+    hash: "433dc4c7328c00199158c318e99866149c2b0d1e13769fb7512b3d4fca690f6b",
 };

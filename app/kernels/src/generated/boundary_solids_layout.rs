@@ -21,6 +21,9 @@ pub const SHAPE_CAPSULE: u32 = 1;
 /// `SHAPE_CYLINDER`.
 pub const SHAPE_CYLINDER: u32 = 2;
 
+/// distances on a grid (field.hlsli)
+pub const SHAPE_FIELD: u32 = 3;
+
 /// A solid's shape, in its own frame: its middle at the origin, its axis along y.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -49,6 +52,14 @@ pub struct Solid {
     pub period_s: f32,
     /// which body it is; NO\_BODY (boundary/bodies): it moves by its keyframes
     pub body: u32,
+    /// lowest node of a field
+    pub field_min_m: [f32; 3],
+    /// between two of its nodes
+    pub field_cell_m: f32,
+    /// along each side, two or more
+    pub field_nodes: [u32; 3],
+    /// of all fields' nodes; x goes fastest
+    pub first_field_node: u32,
 }
 const _: () = {
     assert!(offset_of!(Solid, half_m) == 0);
@@ -63,7 +74,11 @@ const _: () = {
     assert!(offset_of!(Solid, keyframe_count) == 68);
     assert!(offset_of!(Solid, period_s) == 72);
     assert!(offset_of!(Solid, body) == 76);
-    assert!(size_of::<Solid>() == 80);
+    assert!(offset_of!(Solid, field_min_m) == 80);
+    assert!(offset_of!(Solid, field_cell_m) == 92);
+    assert!(offset_of!(Solid, field_nodes) == 96);
+    assert!(offset_of!(Solid, first_field_node) == 108);
+    assert!(size_of::<Solid>() == 112);
 };
 
 /// Where a solid is at a time; between two it moves evenly, and turns evenly around one axis.

@@ -64,5 +64,5 @@ static MARK_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/mark_solids.compute",
-    hash: "aefc4014314742edfae46a766f279e5ea93329973472462ec7da625fd25fb06a",
+    hash: "7ce8f3763b96e2982dba75fb6983b6f771afa522a0e007cd51b00e5c21d90da5",
 };

@@ -48,7 +48,7 @@ impl Kernel for MoveSolids<'_> {
 pub(super) static MODULES: &[&Module] = &[&MOVE_SOLIDS];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "keyframes", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 } },
     BindingInfo {
         name: "solid_poses",
@@ -65,11 +65,11 @@ static MOVE_SOLIDS: Module = Module {
     name: "MoveSolids",
     entry: "MoveSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 11728 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 11932 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "3a96fc30acb5d734bee7d852b4f039dda19f75f0876abaec33ebb5df7ff359b1",
+    hash: "6164e2d6f30056eed9b1e2b5cd59af9965284e0ddac938d1c7f405ee62a298af",
 };

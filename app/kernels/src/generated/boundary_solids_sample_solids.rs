@@ -19,6 +19,8 @@ pub struct SampleSolids<'a> {
     pub solids: Buf<'a, Solid>,
     /// `StructuredBuffer<SolidPose> solid_poses`.
     pub solid_poses: Buf<'a, SolidPose>,
+    /// `StructuredBuffer<float2> solid_fields`.
+    pub solid_fields: Buf<'a, [f32; 2]>,
     /// `StructuredBuffer<uint4> solid_blocks`.
     pub solid_blocks: Buf<'a, [u32; 4]>,
     /// `RWStructuredBuffer<SolidContact> solid_contacts`.
@@ -45,6 +47,7 @@ impl Kernel for SampleSolids<'_> {
                 ("positions", Some(self.positions.id)),
                 ("solids", Some(self.solids.id)),
                 ("solid_poses", Some(self.solid_poses.id)),
+                ("solid_fields", Some(self.solid_fields.id)),
                 ("solid_blocks", Some(self.solid_blocks.id)),
                 ("solid_contacts", Some(self.solid_contacts.id)),
                 ("step_state", Some(self.step_state.id)),
@@ -60,21 +63,22 @@ pub(super) static MODULES: &[&Module] = &[&SAMPLE_SOLIDS];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "positions", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 } },
-    BindingInfo { name: "solids", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "solid_poses", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "solid_fields", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "solid_blocks",
-        slot: 3,
+        slot: 4,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
     BindingInfo {
         name: "solid_contacts",
-        slot: 4,
+        slot: 5,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
-    BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "solids_params", slot: 6, kind: BindingKind::Uniform { bytes: 64 } },
-    BindingInfo { name: "kernel", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "solids_params", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "kernel", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/boundary_solids_sample_solids.deflate"));
@@ -83,11 +87,11 @@ static SAMPLE_SOLIDS: Module = Module {
     name: "SampleSolids",
     entry: "SampleSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 37252 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 43596 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "3dfa7436234a370bd5afc3864ee82dd2ef32fc48557e99fd32d8f13bb8b8c123",
+    hash: "dbe272d6313d747e0d7ee7f8a9d0293b46806cf1fdb1dc021227f07df04feebd",
 };

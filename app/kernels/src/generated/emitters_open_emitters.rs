@@ -100,5 +100,5 @@ static OPEN_EMITTERS: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "emitters/open_emitters.compute",
-    hash: "baa211573b9994a121edfaf077cc6d9ee5b6d50113c3a4d9e004f0176ab61124",
+    hash: "57e4dbaf1093b954fdd55b335705b1f233d8cbc2352a5b1baf22726f5f4cdd96",
 };

@@ -54,7 +54,7 @@ static DRAW_CROSS_FADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "5e6d5b4b7c317a7d62666282bf08d924331b57dbfd8c8d9a3146d1ab41be4d2e",
+    hash: "fe283f4ecfa0376694230c9567899a09a275e2222fd30e6a4f487299e4b01a87",
 };
 
 static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
@@ -67,5 +67,5 @@ static DRAW_CROSS_FADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/cross_fade.hlsl",
-    hash: "1428313e8cd3a5e357026f5119f63618c22f488085b6b1d04c5ee89f8df7c5b6",
+    hash: "2d4e805d660a989e5d5448bb54fbb7527288a1d51d2c8e346d1f37feb7ea3d32",
 };

@@ -96,7 +96,7 @@ static DRAW_EDGES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "30964634ca5c72d66a3fa10f706dd0e46909fb5227305211a063576222b34a49",
+    hash: "7c560ab509a6efa7efaddad9821ba3b7eebefc11347a88107afb75de4918fa0a",
 };
 
 static DRAW_EDGES_FRAGMENT: Module = Module {
@@ -109,7 +109,7 @@ static DRAW_EDGES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "7a652657b8501e27e91f978f600b996ca001633199ac4ed260fa9460e2aa0819",
+    hash: "3def19f1824ebb1d599a6b9da034faaf8df349a377e0c26347a9e52517c8fe41",
 };
 
 static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -122,7 +122,7 @@ static DRAW_EDGES_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "5b214f228eeaf94d250a67b2958505284db96521b303ae1fa336205ca2eafb01",
+    hash: "0bb9129a1e3c6af056f9aa63be2c628da35636ac16fc50829d8a434ec31e00e4",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -135,7 +135,7 @@ static DRAW_EDGES_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "f1a154aa4e6fd3da02930fd6714bcb4f085756f0e37a41f7dfbd948844b69ff5",
+    hash: "f9f257dc392422b08e6c53ec05dd50a664b0ad72c706fc0b62c68b773866c056",
 };
 
 static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -148,5 +148,5 @@ static DRAW_EDGES_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/edges.hlsl",
-    hash: "433fa96176a814a44892d46f35582cf1d4eb6e742a63341f6fca10ddb703fb71",
+    hash: "ac0630e07dd0fb96f57b0460dccf25967ee4ae58430a7594ee4678abf44b1a8c",
 };

@@ -203,7 +203,7 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c3df54438ac4399638bf4706c7712540eebb235ed386d870d0a8b4cc03ab9d1f",
+    hash: "f414bf5bf2b119a6cd7f80242d2060c8fb360d996a95e01517387ea8611dd7c3",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
@@ -216,7 +216,7 @@ static DRAW_FLOOR_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c353a213d05b1d88807c1fc5694794f55f82d4bddd0e491edb87a7f7ea9ec08e",
+    hash: "fbfc1f61ef99e93474d59525b7380c668b66d902e3d92f675b1e79bfde3188de",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -229,7 +229,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "d88712636a1547756a1a2ab63d1424d138b7f05296fb38f383b74f529771dd87",
+    hash: "e8658c7817e2bbf48d1d9a7b2bce5b512760c8a3545a9c98676def226c08e2af",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
@@ -242,7 +242,7 @@ static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "0b5cda1647f64ea9b4211669cd46797af6f35499dd7532d01d31b2aba9299608",
+    hash: "4fe51d7c3c1a199f562de9138b51b964529eaa950d26fc4f85b02d6e46c0b73a",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
@@ -255,7 +255,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "e6d0cd2b836477674f0f61783573b789c4b1a59c682a19d01ee49a8a7feca4c9",
+    hash: "7707a23d6479f337554cf96ba7e4686a00c55516c3860e7df19f3ab0394441c0",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -268,7 +268,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c847dae731298a13d07c4e4fa829763de8dfd38169c735a8d97198f04792776a",
+    hash: "23a406059f9eb5b796939b7ecb81f544bfd87ecb19aa5500585478f21a075507",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
@@ -281,7 +281,7 @@ static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "37834399d0c6904aaad3099d13585b8ba34df6ae5d27809abd6eed75e68b306e",
+    hash: "c73773444356212e653673487863d2903fd596da48a0be51d453d578b9a1331e",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
@@ -294,7 +294,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "b4a5ecc15261c4794b2d895e360bfea05f9744520b8fbca9b00f431774c3eaf0",
+    hash: "e882af5bb864992654d338a476495e1b75da8861e5b4ffd7ebbe3f41b39f316a",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -307,7 +307,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "a74598085da2091ad3334fb61b30525b87514eba78b0923416995e76eba6e466",
+    hash: "3e65a90cd005adf8ca6c6f57c5d8bf9b793844fce07774e073a46fa5893ca9ed",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -320,7 +320,7 @@ static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c0be6eb447566fe5132fe7cf6388dd2ee5a32a26d9a58d880e3078b4adeecec7",
+    hash: "71bc0d89bcd428242a6c7e3edd4568ac4229e2cb1f304e3b8b360b0f133bd794",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
@@ -333,7 +333,7 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "865c5975a88664c435ddc95f7783aada31017c2e9d4dd33347ac5693dfffe6a3",
+    hash: "c8e4e9d7562ac4353cf3473f33af424ba62592e51a4b0e71e8a348d4151ceaab",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -346,5 +346,5 @@ static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "93f131c380fbf5e0fd40dd552006973d7853e16da93eb0b6a7785333def00412",
+    hash: "29285ddc84311a18d5fb61f8f8664f0b7ac4d4e4949aea0b2d3d65251431cc14",
 };

@@ -100,7 +100,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_paints",
         slot: 6,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
     },
 ];
 
@@ -126,7 +126,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_paints",
         slot: 7,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
     },
 ];
 
@@ -143,63 +143,63 @@ static DRAW_GLASS_VERTEX: Module = Module {
     name: "DrawGlass.vertex",
     entry: "GlassVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4368 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4456 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "32ccc67e6afcbd97a379999b1dca495e333cfc6710ada8114b0ef8fac9012da1",
+    hash: "fa4ff92af598ade6699d69c2ddefa12b2bc1770448c9bd84fe93ef41749efdc8",
 };
 
 static DRAW_GLASS_FRAGMENT: Module = Module {
     name: "DrawGlass.fragment",
     entry: "GlassFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 4368, bytes: 6600 },
+    spirv: Spirv::Packed { pack: PACK, first: 4456, bytes: 6600 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "0fc57901722ed176fa7c6db4351f66c6a0f3a49d1c4d5ab0721acdf7e803ea14",
+    hash: "3ceac8eca12b66170ee3d68aa1cd8adf557830e40f3b2496682bc48f6ec56aa2",
 };
 
 static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
     name: "DrawGlass.vertex+BEHIND_WATER",
     entry: "GlassVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 10968, bytes: 4368 },
+    spirv: Spirv::Packed { pack: PACK, first: 11056, bytes: 4456 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "7629b75a2e173e14c1e9f623efc57af3bfb1a8668d6836e8e188d501c77c46fd",
+    hash: "0d40bb7d0a85ebd7025b99e3861232fefedc790de9634584805069d3d09219d4",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     name: "DrawGlass.fragment+BEHIND_WATER",
     entry: "GlassFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 15336, bytes: 7352 },
+    spirv: Spirv::Packed { pack: PACK, first: 15512, bytes: 7352 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "e42f083f4a5422000ea79b33b4d8fbeea0091281faab171b4a42c9fbd8754d3f",
+    hash: "f8b5dba25f3da82b92fd97584adefd95d82f1b4eaeda1fb74c27c4c477a1cf27",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     name: "DrawGlass.fragment+BEFORE_WATER",
     entry: "GlassFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 22688, bytes: 7368 },
+    spirv: Spirv::Packed { pack: PACK, first: 22864, bytes: 7368 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "172825a0c3bcf0645df57fdec681cd2beb946f19b9ed73f7a6617345c736a055",
+    hash: "5595586b5fcef9fe07e235aa7b3eb71186c3f20e6eea2fc66ab8b67477db1579",
 };

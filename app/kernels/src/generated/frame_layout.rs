@@ -164,7 +164,7 @@ pub struct SolidVertex {
     pub solid: u32,
     /// out of what is solid, into a cavity
     pub normal: [f32; 3],
-    /// 1 where a hollow one's wall ends, which shows its thickness
+    /// 1 where a hollow one's wall ends, which shows its thickness; of ground its share of the
     pub rim: f32,
 }
 const _: () = {
@@ -181,11 +181,17 @@ const _: () = {
 pub struct SolidPaint {
     /// of its surface, in linear light
     pub color: [f32; 3],
+    /// share of what smooth paint mirrors
+    pub gloss: f32,
+    /// the same where `rim` is 1
+    pub other: [f32; 3],
     /// `float`.
     pub reserved: f32,
 }
 const _: () = {
     assert!(offset_of!(SolidPaint, color) == 0);
-    assert!(offset_of!(SolidPaint, reserved) == 12);
-    assert!(size_of::<SolidPaint>() == 16);
+    assert!(offset_of!(SolidPaint, gloss) == 12);
+    assert!(offset_of!(SolidPaint, other) == 16);
+    assert!(offset_of!(SolidPaint, reserved) == 28);
+    assert!(size_of::<SolidPaint>() == 32);
 };

@@ -65,7 +65,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "0edce634bde1228af823bfbe5f31f9942a6e00ce0e7780a298ef3bcef8ed2810",
+    hash: "300d302500eb866e7d989b84d6385bffd864be81c0a450fcff7d113b27d9b7c0",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "c8ebb515632c84b1e50fd1848407670df692e8912ea22c2cfa632a2d1b8ac215",
+    hash: "f91dec275311c6ee8fedae58feb202baee446b13b46ebdf1765f93729bb5fac0",
 };

@@ -92,7 +92,7 @@ static DRAW_RESOLVE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "fc43aa2328cba736693a79e5c096c57312a80e9950de479cad9f00339e099c76",
+    hash: "176b0659ffcd8ad595be04a393a1a665c0f6b98e661fc5e66a6b1dbaf2f9c07f",
 };
 
 static DRAW_RESOLVE_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_RESOLVE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "3a01c1401736a9ebce2eabeeda21d9abfb7594a395239e0285d038321aa51a66",
+    hash: "f4cc91ca289a2229d6ab76275d6c41027e31da6971f712e544c28a2d1d768887",
 };
 
 static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
@@ -118,5 +118,5 @@ static DRAW_RESOLVE_FRAGMENT_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/resolve.hlsl",
-    hash: "a48f5e86507c56335b19b9e948592a8af06950dddfca2311e9cd185c0961249d",
+    hash: "5c51fd259409cf9145dc5dca1e0a126b1a1007d6aa191e441826cef5e03322a2",
 };

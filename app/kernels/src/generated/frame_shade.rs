@@ -183,7 +183,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "9b7f634d6566a96ebe12559b82c4b58b9ab5ad8933c43064e16852557e77b43e",
+    hash: "f6757d653030826a86868210a47d01746673a961115651aee9f090b8f9a84997",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "d64286b151f3f546095a77b9f58ea74f42c8f965a58a12375087b2623e7484d6",
+    hash: "17d283bc3f0066070831686f0b16e3d2daf9010c8609f8916146ca8903922bc5",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "e4dfa5bfbe30bb7946d6b211f4c0b84a5417591f8bbf6defbf25ad9e8da60dac",
+    hash: "8c5c51aecd2c042e4f186feaa4b94e4d7b70c2511183148de5d3e4aee62b08c3",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -222,7 +222,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "da8987d1fc074eaff74b4891811d02a9a27f784519d35c8b190d0e40e35bf075",
+    hash: "b9404969909aacc8d3ae80374de6d079a510c2fb9d23d8baf294f71465fd33eb",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -235,7 +235,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "703de1a84bbb0c0a0d48c18a105a4b401e9e772585a9b5221c5e49c97e186742",
+    hash: "e04a51fa68c9b334e110284153b8e072d3a841cbf288636c02007f351141cbd6",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module {
@@ -248,7 +248,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "a8fe51ccc106460d130de1474a4ea9f4284fbacf2dd77f4eaa869e2abb80a314",
+    hash: "400460ee91482cfd0f3e9ad9b54932aad1b0461faec2796632c0e5956386ca1e",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -261,7 +261,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c244e12c6dd422b31844a0c6046edb4378472968d371faeee7ceb1a1c3432e3a",
+    hash: "920db021758a15ee2b2b6f5a100125c45d9e07e303862162686c1f0bb6a8bd45",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Module {
@@ -274,5 +274,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "3a98a651d46f6a17e2888a817a23d2c37e387263b4d912357b13f1b474691eb1",
+    hash: "9ceb17ea1b90e6d7eb294291503629672e28d94f5ac62948dac4799ada36fcbe",
 };

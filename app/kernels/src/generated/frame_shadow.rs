@@ -58,7 +58,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "4b6b41274bbcd4027de2596ec00435b9042c778053d0ad3a3ab335abe9a43cc3",
+    hash: "4eec0d9329ae8eb90958b1e9caa8a099dd76c9c5bbbd62a72443370df3b6f8ad",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "9b1911ed07118ec51a7e96997cd349c9bbdf060a94f1e2109becc40b170a7d79",
+    hash: "e3d14ef799167ef0cf7db8fbaa0229f160808e8a9371eb4a63333dbea4dbe6b8",
 };

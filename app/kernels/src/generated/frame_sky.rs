@@ -48,7 +48,7 @@ static DRAW_SKY_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "4d780b770258ec75e999592ed1f88c6967ea23e5048e7c7dce7902a1d032d005",
+    hash: "e0b4e608af3e511ae3b4648264c48ae2c6c46c1e74169091daadad3470e291a7",
 };
 
 static DRAW_SKY_FRAGMENT: Module = Module {
@@ -61,5 +61,5 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "27f108c4de56f5b1ff5cb7fd388aad7506e2d6859d398ca7edfc8268d185a4ed",
+    hash: "cbbb25a4e71425733d43a1dd49f987bec4d0163131f99a97519f4fef2ab0d12d",
 };

@@ -113,7 +113,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_paints",
         slot: 7,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
     },
 ];
 
@@ -140,7 +140,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_paints",
         slot: 8,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
     },
 ];
 
@@ -168,7 +168,7 @@ static BINDINGS_4: &[BindingInfo] = &[
     BindingInfo {
         name: "solid_paints",
         slot: 10,
-        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
+        kind: BindingKind::Storage { access: Access::Read, stride_bytes: 32 },
     },
 ];
 
@@ -188,76 +188,76 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     name: "DrawSolids.vertex",
     entry: "SolidsVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4300 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4612 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "624926f94ffdf85ce42a0f4908fb40a59ae1a385c90f07f8b85df16da94ab188",
+    hash: "dd969ba262bf27a30951e5503e108cc65abe90b0e64a28025ef51d6d05395884",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
     name: "DrawSolids.fragment",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 4300, bytes: 9796 },
+    spirv: Spirv::Packed { pack: PACK, first: 4612, bytes: 9892 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "d8949f4860359492d43d6dc8917fda9974470390f0c7d6b8445bcb3d26989b3e",
+    hash: "2074d8baa36ac5967d14df64bf9a152335d36b59339306bd85b8d4723ad91f2c",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
     name: "DrawSolids.vertex+POINTS_SUN",
     entry: "SolidsVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 14096, bytes: 4300 },
+    spirv: Spirv::Packed { pack: PACK, first: 14504, bytes: 4612 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "7322f991d8275f27c07c64e6b13903c7ebac984c177408d1a2de64d8af555e45",
+    hash: "2246fe17eb51777c4a48ac6940caeeda9493e4df6958560915e45d9fbf9657f5",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     name: "DrawSolids.fragment+POINTS_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 18396, bytes: 13476 },
+    spirv: Spirv::Packed { pack: PACK, first: 19116, bytes: 13572 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "31359c715829b4eaa944d6cb38a4018a9b3ba2d7996a49441c6fdf6bb414f8a3",
+    hash: "253dacde88bd407f7a5bdc31ee5e3c91031a7e89eabbe929a67cb16c93756fa1",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.vertex+VOLUME_SUN",
     entry: "SolidsVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 31872, bytes: 4300 },
+    spirv: Spirv::Packed { pack: PACK, first: 32688, bytes: 4612 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "a0a7650d48a43f363aff65db79cd20d5d9718dbb1e854228962da9485dc5d5b7",
+    hash: "7c6112a7ea30e12ddbb7d36b5ed4f206f2398e08162a7eed96319928e172b4b6",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.fragment+VOLUME_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 36172, bytes: 12880 },
+    spirv: Spirv::Packed { pack: PACK, first: 37300, bytes: 12976 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "a9028a955776f7be2015057e095c09f1d580e3accf7196a566a3116b936ea093",
+    hash: "0f31e891ac871ff12bd99484fbcbc9dd94996eda746a3c667177946884b76f37",
 };

@@ -74,7 +74,7 @@ static DRAW_SOLIDS_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "caa9b485c9fff035633038cdbd5f6e7e1cbcbe9350f72098eaf33ad29274a860",
+    hash: "06b9bed7a7477841eaa65fd041e0bf0941d7588116934a443f0f38e73bd12c14",
 };
 
 static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
@@ -87,5 +87,5 @@ static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "dede7167e1eb0fa17fd24d19faa79c698e31ee5884c81f8a645ab7d7447d6476",
+    hash: "8b4e5798e7761f7832d867238f90c795822e8d1b8118dafa546c09a368cba87f",
 };

@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "2df631893b9665c95d91aeda1a04bc3cb30df7be69576c2d02197507fc7c881e",
+    hash: "5bcad2f912da86db812f4fd6087327c3f073296ad8b2a6d79e7bc052561fdd60",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "bd75f81dcd6461b6b5c8f74a6ded7624f895ac0b56e0471121dbf5f301628dea",
+    hash: "3670be4f7fa250d785b29a975b1e6bf71d8cd6f81ac35af6aa2c40649eac3b83",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "f2b172181b2fcd3549a3168ff35290748de76eafa4431f1b46dca0741745c683",
+    hash: "2f1a34bda6ddaea6af8de971f18b9ed7c4f9ed9e6056867d9bfbe86b61e3b3b7",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "0f3c4f28d320ccf370e7b483e77c480ba56695a8583cb4a7404a50d30d33cc33",
+    hash: "dfddda979331fd1b354158c3d3628f7592e59b959a2bf982392cad71e227cfc4",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "6bc5a98d5ea3b3444906a3ce608d35bc48951203a1dc3d15578b70e2f8c15ad8",
+    hash: "df3667645b204ecfeea74ac5643c6f0ad085e463aa70f9a8b129c06933df3403",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "1c296654ca44bd3d96dc3d323075d6ac3cc9aaa4fc86e73ec8ae3b1b1a5bdd9b",
+    hash: "b53c5b902c35a87df170110dfd29f5fb84694afc705ae88fd7881487b96871f2",
 };

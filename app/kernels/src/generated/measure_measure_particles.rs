@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "18684c8d5a2ace5aeb54859f4d0d170f9d68329f5843f12874d6174b99129550",
+    hash: "2fe043bd83e4c962b8150942bbcb0a40a3f7350ae18d7bc04db097117fa500c0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f68550fa1d2bc64ff5a637f3170b3b953a59aa39e6fd8f9d5479e2a9c647dd55",
+    hash: "c76ef0dc931baf1947964a46dd03b00536d07f82ac293308488cadfd766eca3a",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7e62ebca3e43fe6478bb198c8b787f7183642b9c7f50b71efcb833c7bc2451cc",
+    hash: "0901e21b4d3890b36477d754b6c3774b2c82d823414381fdeae0136f69eb1085",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "a68fb11cd775b35331d8acf2a5a69c767ccbe5fceb26ea8e229beaf1ba1a06b8",
+    hash: "6c68840460dc7c0133682dfa1282cd5f874d8a7bc04e32a5840a083f2e8aecb0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0e447c9a8eceabb6bf68893cefb998ba7750b5ab0d86e33900b09762ab6abfeb",
+    hash: "09914c7672715c89c8c85dd97a4e547998c318916f69549226963dbbb0019a3d",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c15d3e4745e5804369edb4ab83d7ec12aef2ca1e11af9f157c2cb9f924f6e129",
+    hash: "6eb8a29ef72ccb8e4a80b0d7316bcfe9b1a0ff522d156526c2b5faf765ea43c0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "7b6004955517250a4e99d7768d5cc604f32eaacdee104502e5127fb43725af26",
+    hash: "5524efe8931a32ec4f661aae82c8a60779cf50209598664dd71668c2a6b11071",
 };

@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "d76274288f0f8c7790dc7258a7bd92fcb6ac270dd56cc2cc7a4eacb56d636dd7",
+    hash: "b34e36c27405064e688594b070a1271b4f673585ad81d3c7608ab605ab16ae53",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "f1d390c74183499e84685dbb36bc0370b3d984ba6c03749101cc08f3b4c7ef17",
+    hash: "962ad591c013e0c529da73045dfad66abb93028d68bb83adcaec169db79edfa4",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "c485f8ef2f7a1436b75b26b5bdd9b0b810127b0731920673a23f20b1c3f8cad8",
+    hash: "c6e7af1b5a9b753cf0b62b2f1b37fa438797bd7bc4cc282bf3e0439eac95a110",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "9ec8413d949efbe29228b1f8586037a972ca0202b7668bda2d7824ed91bbabff",
+    hash: "3fed198bbc599295f4717dee564ae42e3016168bfe56e1591d01458ce23bb0c2",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "c9c62a8bfe05f8923b5b99f38c7f59030e54d1a8296bf789eba482b9e0e8c15d",
+    hash: "2c9f39500ac5f2d3f10193a49a18af609a6e50a87345deea8f805ec1c3827a2e",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "eaea9f349c3de223f03b36a7f54a7b53a524bec8be4d3301f94afe756e6a8abe",
+    hash: "ad10fbfa675f4b0cca0f0cf27f2a89d56a2b4427ec4a82cb8a919b8619b6b6ec",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "e95b55bd82c7f1a9e9e83555b939d17cdc052b394d933641412c341c03aa40ff",
+    hash: "ccd8aa4b51ce6db830341464793812a8e4b3e2e2ec604149b1c1e6b9ecdd9b08",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "61dabf6e4ceff025e0457c79ff7014f514b74d82febc334517c9f750a658df6e",
+    hash: "a7bc606ca684bb00fc43db73583b44ba3d15c05381ca9940ce52bdbe6a516996",
 };

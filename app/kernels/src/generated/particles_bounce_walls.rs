@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "944163cc8e25afbfe890c9d48e28607baa69fe188b6a65025bf0a912915d6d19",
+    hash: "442119e2ce3e27cdeeb929304d2e7d3fe5c6fafd35818c86e3f0a4f0e3ae534c",
 };

@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "a54cd4eeff4522c5ac6b2a2958a2038fd695c3c90b1d382952293c30ebe9c84f",
+    hash: "c97ca13adce403e1376511420596f08e097d588bd964ff1185019e1988a2e0c2",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "e5f27e410bb6e4ad88c8c1bb3cf3c0750bfef969756addf8861c28a1c8b1fc9d",
+    hash: "4803f68d3f6e65a95523094e192c41f61325baea6b8ca799a5ce6560a99a9f4f",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "d4c7bdb3cd7e9dc0b6e56f94f6f5ce6cf5a8af77f03faec4644d4f864675ce85",
+    hash: "a7322b2d2f74757bf1bc601aacf0ea6e4e0d531b6a1fcad739e0f7eab024f828",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "c40a6402cad4ba3c3b0787c468972601ea4b41a3490dea3d95ccf333612531ad",
+    hash: "41bfd134f51f832e2a3d12cd83c11124b72184f5a29c0683f4e47cb5ded711ad",
 };

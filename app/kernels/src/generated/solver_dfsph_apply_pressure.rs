@@ -221,7 +221,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "05316132b2f3e0a5ef989fb3482c9ed1780259899c87f3d86574430a705967e1",
+    hash: "463c7effd55e6506cb705520f4a2786fa352252183b8eef545b33efa7e18ae11",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -234,7 +234,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "f79bf175235aa0f016a9e7b6dffba89c304ad8ed8e3f5ce68114a57854696b97",
+    hash: "02ac729d489926a1a91c011ca70784822394ca6714d23ab699e130ab87d1e911",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -247,7 +247,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "57d445de750f0408dae87ccaa67c5283ddf8d5e95a11680d27e7ea0881a7aba9",
+    hash: "1a9481adee19e0e94bdb7b76aac5b3b4ec32694d2fec4631e225b57df6765c00",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -260,7 +260,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "4e46896381d1cb3659bc4d1521dba8337531831feeb24650fac1096be5f5ed36",
+    hash: "1d2c014fbb9ea7b963d2c3ae94886a9b1fd22fe131ce53293ac1dc258c48781b",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -273,7 +273,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "9cce04f50ffc9efc508c79e5216376f267cad15a96090fd39e8050fb4f92b182",
+    hash: "ad2e62f100dfa9b00e219383847184a11155732793028dfb16923c6af8da2743",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -286,7 +286,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "2db70c7ebd762b7ffd74f7f16977bc52937c9c01c1042a2790d192e5ae732d57",
+    hash: "1d51d3c5fe8feb2aa41b9abdd386614d0cf35eed8f8a5ca7ebb0a503fa8a1889",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -299,7 +299,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "3f7c01af2e8b5aecbc3a00aae09d1d3d0d1cbe3030a55b6f431634a0292d47ee",
+    hash: "98750c3a5d3401bf720d3c098241d87f9b32e8937340aac9f69572e4ce2cc73b",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -312,7 +312,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "eaa9c9ff8c3df4ac12a2f6db0dbbfd3b2d4aaca76a8f3dde36134d7f6b06eefe",
+    hash: "56c8e5f030593fff1dbf900eac0bb65ad31bc36b89f1e1fe9f2c8b49a65d2fde",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -325,5 +325,5 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "99acfe404ffd9e8282a7af02e50e33655b9098976d23734df1f1a82fcf66fccc",
+    hash: "d1bfdc0d373e3a93d5a50eb5de655b45ab2c5f6ab927a655758b69ac2ec3ceff",
 };

@@ -214,7 +214,7 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "a143ec8ba7d8bde0b079d3edaa493db3484893556df9165cf43436858fe5138f",
+    hash: "b9ca213753b1d7a8c6ae6a91f53a9880d423459b424f7e18944d4ecb576ca3a1",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "860dd9468334114d33fd60f6e7efb91aab1677305902dccaa193f127c900280c",
+    hash: "7e99334867def899f06904c199a64c46a67b2ba088a5ff327f2c014373780405",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "5114c131e93229e53f360925de7c200a0a600b7390c81abb422bdcd351c682ee",
+    hash: "9b787ac0b23fc235fe88cf1398e44c9feb8d32346c97ecdf0a4ddfc81ed34330",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
@@ -253,7 +253,7 @@ static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8e09675de2ea2ff5a50769737ab6191256ac376dcda2be2e615154c04583fb30",
+    hash: "8343732659edec386fc377c5f9146653926b9bc0ada9f81b850c2f5dd042a70f",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f39762fab265c6677b0463b99aa1e7ebc4bbcc1abe568ed85e6a6fba997ada12",
+    hash: "b37c18fc6dd1ff70886c943aa7489b399102523f1077663bff183faefca806bc",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -279,7 +279,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8e2463459ca414035e6902804cd76ec30ae28cd27148fbdb14ef44d590fe28bb",
+    hash: "3b002822d6be44875d6371bfbde72556a8e08a435b2b8a533f26f5cd8a09296c",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
@@ -292,7 +292,7 @@ static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "615c95067d5d0e4fd9fef585f27129d7525d6ce8e3c017a9d07e3aace9f92ebc",
+    hash: "3b221e6440b0924eddf4b7c67b31b4e6bce8b6e866a192de6ad4cd2d5987c772",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -305,7 +305,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b6b4fc5155dbb81735437175a75d1bfd38ec762c7bd5fdac403ce1207e487be1",
+    hash: "1662725c0f381d57c98abc2093ffbc491303fc9ce958d5af517a027e4c92c590",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -318,7 +318,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "50607641d458e0c1ad09543675b066d6365006742d4b51822e2f01089f8bf135",
+    hash: "6f2c28ccc0c8495c66985cd247a5f3a4e35f29f84139f9fee7034dba4380a26f",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
@@ -331,7 +331,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "87c155a9a804398925f25960b1883df374630b70db2e219a1b4345d1e56ab5d5",
+    hash: "e4e3a1809cd718538945aa1ada87adfb8576a8da4692d5331a4f385b132fe548",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "0810cfadd0852dcb02e01e7fa42c5f191573a88742b09688d21d7ef367de54f6",
+    hash: "39a6a0268e48dd174c7ce1139fb49c4e065fe483aaa34dd373e23b525a138d20",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -357,7 +357,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = M
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "bced7a4a1fdb36300e2d9b047c482a978c5f97a9b8da6b3c57408ad5b42fd684",
+    hash: "519ef15cceb92f41c5fdb56619b1ccb3808aca1ef04df9d64b1d58de81d33bff",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -370,7 +370,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "a0f65d7bdad930fd4d28164a30492f442e857851aaf2b1cff751fd743fae70e0",
+    hash: "2c8e0696c84da01854a8af3f23408f3569978b035ca17bba0420f4a3c20bafef",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -383,7 +383,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6dd45fc3af6a8595d5516c74dba8c650876ea53953236446448fa346455fc739",
+    hash: "3941fbb355e47fef436b4c9ed7c94e8fd6fa04f59c2bc46d7913402c1243f3de",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -396,7 +396,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "56f708be5f42fe5a00afb25ff60ac8c9b69f59ae0f9ada2062e792f6111f5f03",
+    hash: "d9bed9cf4ba71f6233e97badf489542411963994e4a650c0f139a3f4bc84e1f8",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
@@ -409,7 +409,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "7a48d811fad8e58b68dae8d03e30147fdb4ace4eb761db8e30be79d01dbf0207",
+    hash: "0cb3cfa7042085f144846c1ac050c3cc8ec6f74ab51c5509d994427758d4c761",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: M
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "535e134c22236171570e0d267b0a8478f2d50f8fc781f82f3f79ceadf2034277",
+    hash: "6cea427abb77d5b96ffd614a6817dae4f5c87f91292d85807c9e04c55e9e98db",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -435,5 +435,5 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Modu
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "40f9b170ee9c17d927b10b62f801de2e02b65c3720646cd46328032a78cc0b41",
+    hash: "933fa4607c8e2a2371c6e0c96e9cd2b449a82915e5d2439bb3ea0cf6516e4f40",
 };

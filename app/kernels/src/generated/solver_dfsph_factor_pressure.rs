@@ -184,7 +184,7 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "67f565bee9ebfcd9cb560d3fb5afa0a20ed2895fb296c038138bb60c2c84aa67",
+    hash: "8d6caaef4914aab4b0103ab10a12387bb193a3d0e632505c8940733de9b541b4",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "b3480a48218d8e29bc2ded45b7c798e9f4f376a51e82c16701559e42d1ac4ce8",
+    hash: "690d2718816b27b5ada795c49b83e84207779ba72c2a4d19a38a0d2e0c279535",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "29a51381f4bf651b7789c5570493bf8ef0aec8fdad77de240de25e3f67f68cf6",
+    hash: "0986f485bafb342e3f0e520107a546af5124ff2eb6050c8c02544c7eba20d1c7",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "15c5cae5723b1b1701a22ce842d60e7a276bc52547f05180b67421dba836cd9e",
+    hash: "454fc0c258feab92543a3d7a9ba6243b8a69b9bcbc10da5f59866ada5a0bc4ab",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "8dd39fe2a3a9ebfe1860d9f5670a8de367b45d59514b6c23fd4ef48135d50838",
+    hash: "82ae922daa8d0f5aa287062e5532563e9b17a584aac0574939346c0e0c83dec4",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,7 +249,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "6fc921d6301c9902b8f38442b85a25b826d1e4a8952bea43ec25a288c20a2477",
+    hash: "b4a3a9dac90a371b892b07aca15224ac47159ec10ee7bb06b5a2f018de126bce",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -262,7 +262,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "7c9f88875bd68dc923efb36814177240b4064c0c742682760fcc3bd381ae83e4",
+    hash: "7dfe514f46e950ee3ef0b94b27e6a6b4b450e4c4079ff24762853b69ff068ffc",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -275,7 +275,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "c9fb6bf599e59d1778122c5fbf0740cf74f62335e3338a23cc659b48f2943b49",
+    hash: "65e03138f75bc2d34345b937990bddb12a67d0b19deebee29764ce03d5a7f6e0",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -288,5 +288,5 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "b710e57fa344cf1801e73f234e2d7d93ba3575aaf78e27b7ff83d91ae44589db",
+    hash: "15a69543503a0914d94acc5cd4a54baef030a1e409a6b1d9bd5710a2440adb98",
 };

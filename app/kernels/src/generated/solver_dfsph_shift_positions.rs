@@ -39,6 +39,8 @@ pub struct ShiftPositions<'a> {
     pub solids: Option<Buf<'a, Solid>>,
     /// `StructuredBuffer<SolidPose> solid_poses`.
     pub solid_poses: Option<Buf<'a, SolidPose>>,
+    /// `StructuredBuffer<float2> solid_fields`.
+    pub solid_fields: Option<Buf<'a, [f32; 2]>>,
     /// `StructuredBuffer<uint4> solid_blocks`.
     pub solid_blocks: Option<Buf<'a, [u32; 4]>>,
     /// `ConstantBuffer<SolidsParams> solids_params`.
@@ -70,6 +72,7 @@ impl Kernel for ShiftPositions<'_> {
                 ("step_params", Some(self.step_params.id)),
                 ("solids", self.solids.as_ref().map(|bound| bound.id)),
                 ("solid_poses", self.solid_poses.as_ref().map(|bound| bound.id)),
+                ("solid_fields", self.solid_fields.as_ref().map(|bound| bound.id)),
                 ("solid_blocks", self.solid_blocks.as_ref().map(|bound| bound.id)),
                 ("solids_params", self.solids_params.as_ref().map(|bound| bound.id)),
             ],
@@ -115,16 +118,17 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
     },
-    BindingInfo { name: "solids", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 80 } },
+    BindingInfo { name: "solids", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "solid_poses", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
+    BindingInfo { name: "solid_fields", slot: 5, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 8 } },
     BindingInfo {
         name: "solid_blocks",
-        slot: 5,
+        slot: 6,
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 16 },
     },
-    BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "solids_params", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "solids_params", slot: 9, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_dfsph_shift_positions.deflate"));
@@ -139,7 +143,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "ad01eff6e912672a68a89ad982ae9bbc3ce266e4e9248925d58463991a19b744",
+    hash: "bd718c3a7e71ef8d4b3045dd2d888849e9b10722da5e2e4c7c303a945ccd4602",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -152,7 +156,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "60c90b4daa6adce9ce6823afde38e8c333dee0bd679cfdf7d052a0fe79efb7ee",
+    hash: "ee448d4e0dd616643806ccb0716f32d66d6febb1670df30b6a8e82fbdbc2e38d",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -165,7 +169,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "bd7c2ccdb173495a52f2784d68729ed9e78516cef16c01e3b749b2a21309226c",
+    hash: "00bc4a2c1575bc6b257294ab42bd77d8e347b71bb6774cef142897cc9834d595",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -178,31 +182,31 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "9adc46231002d2a6a4d21b323fd702f5c619c0b86e3b9b7088a49c53c30f5b0f",
+    hash: "8b9585ffc9ea49dfe9045bbee784ef8e1416116604687a6e7f2620386c3ccc17",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "ShiftPositions+SOLID_WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20776, bytes: 32536 },
+    spirv: Spirv::Packed { pack: PACK, first: 20776, bytes: 43888 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "cafd3143134a558169c005d1bd9785423cfd1f7acc3ac599b8bc878eb456decb",
+    hash: "d18a63084060a600cf1e7898e0adb44ee1e6cab4938e56f57a5bb16b0433cd0d",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+SOLID_WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 53312, bytes: 33504 },
+    spirv: Spirv::Packed { pack: PACK, first: 64664, bytes: 44856 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "582dda82a076d25ba782c52d83a0af7c7c5a8550607f1d785ef8076e8960b197",
+    hash: "eb63c55e4712adae54dbcce0e0ff832a4659ce83f1857d93745196720c4576f4",
 };

@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "68199a7afefdc32966fa0ed77e445304fd0490cf405de974a1f44758882dc392",
+    hash: "64883e7d138ea90e2b44b4a52a4350789433966ffbc3e950fd7cc1308c7842c6",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "0d269ca7ee6006c688d7f18c83fec13280cc15fc80f9499d96601038b57e9a8f",
+    hash: "03b61ee610a42f44d7b9c77162a0555d15ad0b92b8fc58110cd07f26ee811131",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "93e8ec26466c8c878eb2c06b3abf8e6f300116807177fa7066908cfedcaf0e98",
+    hash: "b1d866697ab69d667af021b274fb050a03404a0cca33d1345a4a02b0a423f93c",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "cb731dd968650fd1eaa20a0774fefc1ac121d063869b4395bfe6f7cc6b703b1b",
+    hash: "aad5f1956fc1fb1ab3acccc851e216fb027537d3eee90807551e8e8d9b30196a",
 };

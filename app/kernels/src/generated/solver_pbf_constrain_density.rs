@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6ed136a701da77fb69ce06e3ab60b3f8e32005e6f30973883b2cbaed25f1070d",
+    hash: "fda8508826728abe2f8aeeab34d88cc92c025db793c9722f5f9f7e2f34482eab",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b8f2ddf8ef496f8011203191cd118ffd7bd2fcdccc95c35a823e6c9518295f38",
+    hash: "ae0384f513a429e192806c690e65e1cbc4917ac537004ff12ab29174af222cf4",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "837b3fa5367f616c36531acef05bec17874fa3931585dadd6dcda235e170393c",
+    hash: "715605b64cccbef3591724e513bbaa8b820f9d58c3da65e10ef6a4d20756f667",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "322357b316e973803700364476755f86703b796a73a01d942f89b80d6f74a540",
+    hash: "c8ca1dc846da49f85aeacf55d5c0a8743dbac8844ef9f6bc34a5bb49029eedb3",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c623eeeb288b63749e0d298192afdf2378acc0e3e4df8967538d02654794d470",
+    hash: "cf9ccfbb497fadbfe61b2d415d60b30322de29b0baf81660c6ba22b2857fa08c",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b3aa4e9fa765d3dc5670b9805c402d11df84f4ff494523ffc4e37a02ba58329d",
+    hash: "b2442da6410c011a23489f6bee461750086bf57ab9d5a6a5252e6d7f49163d53",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1892363f394715e2fbf3005a191c667aa24f46fc73e55f1029a3951dc2817636",
+    hash: "c915ba61961b430a6d2f62133feece5d0707429df141d9afc6fee7abb12accbc",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a0b918989afa7946d5e1106268e615210c07b4845c81d34868a7a6036881855e",
+    hash: "604109eaf3470ecd601ec5094e00e963ed9d050e2b71a87fbdd536f9712b1e9e",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3a87eb176a1c4add34e95315925e6f5e1068fc206ed925bd002f19c95c9886fa",
+    hash: "09baf4f7835297428c3c4a3289e9971567a9d432d8b54724bef49d1a7945f42b",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b94c2230ea78db83a9bb2ca7fb712350ae2c3554f3730540791c186d7e333cb6",
+    hash: "7f3afb2c7ca0c18cc568f3a0530fd66d481659db72f4f87e1d156a8693a84da7",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fefee8b7eb1f3ba3fcbc0532bc65b472b3621d90ba54011d833c798f540dc649",
+    hash: "cd6471532c167cd5f809291663d183afaa3ccf88d1c6d1ee5bd95919a7c0fa31",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6c908ef56d192a8ffdc64783647af748e6269379e13faf19d51d3837eb7a722f",
+    hash: "880e4ee0ad130f3b7debef1a162396d81de25ff36785bdcdbe05d1ba02bc46e4",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1152139b85734d636464b631af88a0242f20270d6a6802f1cfa4e9c8be651efb",
+    hash: "7b3403e8d5bc972cf3963d301a3ac3cca22b0b9213826f31e3685dcdd629230c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f5ae36a8ba0b92a112c07985851b8b53d9423c489488a0996ae3f4dcfdeaedee",
+    hash: "022bec47dfebfa6e46cfd68cd491a11a6dc77835a9702bc1903c364294478f28",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f6a97d9e81fa7d53650fd48294ff22ab219f815905fa861176ff8c8a397f1d79",
+    hash: "c26becb580f819d367686b10ae6090704f1306b87263a85624a3843fafc76cc5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "74b1bce35b2cb27ec1bd7276107868408df37e278da7b353fddd985691def526",
+    hash: "75560b804f60b27b95098877fcd48a1d1fc3c53750a940a6da9540d913b250ca",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ecddf7cae6f0fe2267206c565bb7e1c9d43b02df4c19089ab855715c72aaeac2",
+    hash: "1f3d53d27b8c67d645cbe605646dfb685fe1ceb983ec863a40e06f994af08fc2",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "acf5b371a3e2fdefb4b830ae9d0aedbfe7db06f15442144427eaec7b2a2d9249",
+    hash: "8ddad30bdf2186e1d2cd3e2c0c76b6a2acf10d9114334472219222ae381b7453",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9b8eb365702a8764c7a6eeacb86c9c72fedd7dc9ea2bb8039ccb8060ee0ffee7",
+    hash: "7db3595283a93f400306c21daf1a9a95e6c3b03d83162953ecdd525101408268",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7909429929f7c831217695bef7a43759855581039d7d0396d9d31d25da33625f",
+    hash: "69600014ec769aeac9a8de29d9cceada7fbcc612b1ca749740095df77d60e87c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "735e58ff4ce9c8063ba23183395e8df6795862214e978c68f34d81c86dd77fee",
+    hash: "c1112dc55efb1b7e06811822328528193161105efb6c9c0d6d9d4c2b7fb24b9b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0230c22d0bb2b1cc476e26a82b499d57c23f163f96a39e3d98ca74cc28d71d10",
+    hash: "d631363a4b24f719c145221f7f2b14fb615ae4891a831071f30e7cdff1ea32ed",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "45d728e11a37fe36a75917c640a4dae5d0e012ef84fa2a02a71b22d74ba435d3",
+    hash: "37021a01ed43672089971238e3d37f41f86d9994029bebc2cb8358b54ddbb93d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ee01635b02bff7fb0f6e1913cc6cd9ce7b869700344aafad22672e67958b2fab",
+    hash: "e7c8025aa6c73e28cbcb74bb832976fc574e6d56826383233c230e6dfe56e2eb",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2f5282296c99addca2ae2c415586ef7e44f0167b5bab9af4c2dad868621ba805",
+    hash: "25a912482822aa86432fcce33a7af2efa9f62c6683c8d4d88fffe472f0f20bfe",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "21c515615472bbd02adff11e65a48e96bc13e8176466348218612131cf85a8c1",
+    hash: "cef80c11bda820276bb7dbfbfcd175fd07c8cccf6c76fc2eb110337d00044940",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "963fbf5d281a731835fe45b0ebbc450ccc1c66f4a6f8c52d7c27eef1b9687cc2",
+    hash: "f9cfe53e6e2a91a0594bc026b5068309c7cf06fc110d985fad57e921953d797c",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5f3df7b1dcc009ba14d8aa07e231f9a48fdad23d2a0229a97cda6f267ee2538c",
+    hash: "e0e082e9c6aeb70c3e869ba58886e6fb6ca92bd8490061b4275aa1f28a5a9c29",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "85dfeec1b562e18834a3b78aba614dbe88ea54b9aa6c1106c54dc08ddaa0b912",
+    hash: "66bfb421f564fe54de83dc96b445fd40078fa2202f3b7a544efc45b36d62a1af",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "411a869652dbb715135b79150a1e394cf2a0e4780d75f3e6c341584530de29f7",
+    hash: "459fa59c4ccbd5c96a5d376e323240f3d48edf41bea6a162ff6d2e59d9a16e25",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ac8d171b43d66886a014907c872721274056838fc68b6cd4efb5c91a387d6068",
+    hash: "196b8339a1702921eb0d4bf35f696a52ae61673e1b7e21a69df191bf2ad043f9",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "718c659fb0df158953e24e0f22ed18fff731263a1dfd9799bf4d75f9d7aeb0cf",
+    hash: "b386621a87d0d1611905069dda6b57d1b896772efa16699c55222ab9364422d2",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "636cad1aa780ef10119fef6e6475892578fd808857fd52f7bc6ea77729554636",
+    hash: "270494cecc6976bbb47797c6885c961ea1812246458cd0406112c8a99dfea185",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2f16585982c4165e5d250cceef7ef2ff8dde0f684b2f6eb3d92173764106425a",
+    hash: "75c2515ae91b9aa4f686322d2d3d782ade91ce68383aa46083c29897e72cad75",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "182e026d449c3513dca24964f114c05cf7fd1e049e287d23414f58b4aa9d0047",
+    hash: "fef4c679a545d271eef00a8387b5417892a01e7fe99ea20c75e2dfb743efd103",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b6c6ab8bf7ce29222444e85b8c793f59f205efb43aa278f46d3b123f83770cf4",
+    hash: "617b7fd10b506fe0277df598a7b89e6e3837f7fe45e4493cb6797ffc57fed440",
 };

@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5d1c9d1e00188a322d6d56a1f673a85a73689619e8dcbdd08cebfdc7c433fc04",
+    hash: "e0f93bd415065456b4a1d61883782d510823b298e2b5ef6cd4079d83fd6f3f19",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a949001a0b374d86c48fc3062f9bb180c8888292bb5da5e69587e87a3dca0376",
+    hash: "fa66766ff4ee2860c706d3b3722d613329bb7aa2da7c207d739c87939d6a7bba",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3c8928326d43e0de0d1c114f337814205c1668d7369b4e73304a5cb89aaf003d",
+    hash: "d3ca7ea23b0920bc511c5364a61453961b4205efe7cca3b4a941334d71190ba8",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8571575929f1fd0e994a9e0aa4f4a0cd4126f415a5b6bacf875095386785dde3",
+    hash: "46c63b535d313728d47467527611552201f671fbbcff0a6310a4d0747e362818",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e3785a17d9f74b98cb6ee83599023fa34e6893a9e45b0e3bd6e9ea1af168bd18",
+    hash: "c0be8d2ed27581c4ac5aff96885e3dffdd6026f19589f0329c688820c1c6bab0",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f70c65716e4327af3d8d343a71901e8954375ad4eec56573312d3ba364ae1485",
+    hash: "27b7ba0b50370b6be050cc865131e23eaa64f33f9801c378f8fae2016070fd4b",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1c5277a11f77cc9f4ff6a75caeb1c5b2dfe8bf04d6ee2136f39b3cf958cc71db",
+    hash: "258fb0566da159c68922fc8a9931231feb5fc51f9f738d0400fbf4fa504df646",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4bb772fcc9a32221dce82982e39c1e42f104eb357c3037880587f4cc249aaddf",
+    hash: "0864724df0e62d602a48e32f44abc938b1da9dad7cb0724a1d8877501e5b8903",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "31b6341d6e480228259b6b9d59a1797cdb6bf80480dad27ad1355c9ffdf11bb5",
+    hash: "9ad3f9ce3b4f9aa0043583d50dca09c99f808963c53b325b0b00b3b31d4d4537",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "72846fd25093fc587a65e88fb9adcefd2692155e1d07e4a1f32f2496e1097db2",
+    hash: "93cf1fac0ffef58ed1542a16b9ea2c390e6c5273c38b59b81496d17707830a80",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6abb5872eb594839e3fdc63d4f164079fec668ba55dae5dfb4886929fbc9dc43",
+    hash: "fcc7a8877ae9c2f547c3c20538e9d2d1b6202336b23e002edef2dfb1cac77ae7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "af8048674dbf1e3f88a68f7eef6bbf2f31e3d0960c7a385a4323ab79a1309645",
+    hash: "dbc0816ec0a6b7673f3e18ffe1e4e8ead694f586685b8b20201d575e7309afb0",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8b55426754eccce69c5588133433b28fb196fb3dfb74c1e85f486ab8ec1cb7ad",
+    hash: "7cb0bc3f97831691ed1f789f72e40dd77bd9c6346e1a1fa72d98499bf094163a",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "571ba85cfcc879f36e55d2e124139bc47ef6fb95ed91609c3b27b517b39f0414",
+    hash: "1bf1baad9a728fa33460d54349def1fed3b0e3e78425fdcba9df104d6b585c35",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "813b854e099a7a3e3ba88859230997e242bae1144c8523fe5dfb98af90b6f10a",
+    hash: "d7dfd3c8efc3329a8f6a01bedd564ee4e46d68705d1b41a1866dada0d6ab2224",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ab9c7c852d210d43e563c47ab45e43fd460817ca9792dfbe978903a828d653dd",
+    hash: "55d65750424efb7b4bf7073938d93869dbd427b4f7010d3ca0cdb5fe88f802b4",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "56dc0e3d56ea901e143b292780638a0df6cacd721099aef36f34e2109a9d650c",
+    hash: "7d61ab8bac41c57f17338dcd051d52f87761562f69b3f2b44f4f03a58854de03",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "669c29e303f88034c530949a563d1edbf4b2f98fb21b038fdb99d4d6ed0ce836",
+    hash: "b8aa4afe9d02fedc15bf19a895b7ca1c9927e1353452178170307df43e3a7586",
 };

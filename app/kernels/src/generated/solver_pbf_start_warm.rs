@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "c757d3754871edb1bc2be2a4ac9d8692a95f4f4e4030816d093f1f5b62df9e8c",
+    hash: "46d416353c2e76573aac30882a9f84493d15c9d402ea2354ea5a58a3dfbe6ab9",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "b0ce69c063d787a2aaefe21b084324acbd55186e48891317e4e3b868acbf58b1",
+    hash: "c7e16bbbd4f6dde2bbab43f567ba82ab9b457e7d9f552fd3f0eaad1e6b9ca220",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "c1317e77c61386487ca495df62a00db035018f6d571b75daf9a494f595623775",
+    hash: "13e9fc626b6b40766fc6ffc521ffd9af307d7a03dc239d41799e71fa13849779",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "3ed58d6a5b0a4e1a99b8377645fe72ea1daf0fae18d4abfab07d786934a9db46",
+    hash: "fa3a9cf916f8c9e34e729dcc67bdf64cff80119660d271d687e9ba38234d6683",
 };

@@ -264,7 +264,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2c565a56bcb8077c82c689433bb8dc6c79a28d3e6dcd05336a32a82cea38e3ef",
+    hash: "64c688db4f3a704bf70830a36be6a17437389cc0c49b08cd4407f0d1e8a5e9a3",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +277,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2752b40b5c5dc25112ce13a857716a489e35b1daf862b3c6465847462e6c932a",
+    hash: "3de20b378acc138f9fa99caa8197f6e747c19fbb9632d51b43b4a0bce21bad0e",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "2826c6df34978bc4f46a9583f087da68ca0bdb402371c2b46ba5cd2291881d4a",
+    hash: "f37822d4a44795af484db8a9a9e10b1239e9c089ede70a6e8c67a3991b8b3434",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +303,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c2f291f7cd125886bf14c4ba7a2dbd7d8b43a72185aaa6df2756a01efed62092",
+    hash: "d9b469c0540cd0f2b3cb4ecefe54287e8b9ba67dc83f6b3d6e484abd8e866187",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +316,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "661452a1ae923cd9e258f95acfa7aae97d03ac66b4fd25d514bb930fc4eb8909",
+    hash: "99b034791fe0f11a2a427cbb8af671d75eaca064919e91d8f624f7de0a403e87",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +329,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "5ba1595c4ef105900bdc89ea6ead0719b410d49500cb71f7421956bdc47ccc31",
+    hash: "5173a05a74945cf892b4b8e0704eca12e47d1f9c1cdd5fb45f156c6f73ef9087",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +342,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7fb2c37ef5d4c099c8eeec37c451a914097da9706497505faf6f935e34093b89",
+    hash: "b94624c3f0cb1b4145f29c8671a855a697d90fb2fa257b6aa59de73a5ba21b7c",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +355,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3109de53847d1e2f327fa603112b8447c06c53c1875ebb90cd9cf717ac0c9f17",
+    hash: "78d32798bfa61517b1161c7e530305db65a629b801d3dcf774111daae437600a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3b1de9a28e072643b5b3d483be0ac509f9652e935f556f58bf5d0a9c8cbfc35c",
+    hash: "7d41b73c048ab26e6ed5e372b543de889253c2cbfe9602f0c509d7a61ca8439a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +381,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0e9046225032f23cab8ab5e87cc0b75b996aef0874fafa9dc06fb279b343d583",
+    hash: "503df652200f5781552b4050486658865d3f5ee6312e4cf75b4f754d3a83d88b",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +394,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "effb06b4afbee2b03d22ca059b6490dbc3a81e0a0e69e9fd448e5f187da54325",
+    hash: "08287333f5d053b6a48ed97da7a3f98d621aab2698adbd4ca62b7192b02ce3d2",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,7 +407,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e4ba87e1dfea841f2716531170bb6495bc1cfbe8a51e7a413d3fc6dc225cecab",
+    hash: "e75774de50cb8eddeaf5810e05c03fc042d0805cf6e0a708700ddd4a06fc43c0",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -420,7 +420,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "47d83e07771a934c53daabe8993811539047707e998392fd673e69940c435192",
+    hash: "4770beedec107e93a082df6c35f4c8779867f63de827b13729baacf1b257bef5",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -433,7 +433,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5ce4a01808dff199c40b9d4e05568b722172b73ee9991b58874a43da1e22c301",
+    hash: "57b1d0193a66c99d0e4621085a105151ce442f519956992ff56094f2e616bff7",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "0eb5b0bf3ff3c30ac5da43336f3d1a58f635a9252303f97e465a93a1ba63ef0d",
+    hash: "eca9905a161faffb520a5d9b90c2856b1bbcac2329692cdb8ce3113fb4bbc0b5",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -459,7 +459,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "067238954fc0e60698ab92c047b61f99e8fba632700ba56d1637fd9d89e598f7",
+    hash: "a03ed65c19c969f95509534517f460c9573ad4f6420b60e928692f583fc8e55b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -472,7 +472,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fa9edf2d10fa130eba8e6ceabfdcd06a72a79b76daf989c468785ad301bd724e",
+    hash: "86bf39efea29fc794fc7c0a24508d8a007441cd34d2e353de37a77d93795c24f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -485,7 +485,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "2723489d44d60a1c7d1210d6cd6b3c8f2b12cb3aa9f96ac3eea2fd71d26604f5",
+    hash: "8bae7aa02865a9fc928772e4d00cd17f8baad156f88cfd80e526c7bb195715a9",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -498,7 +498,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0d3b6cb0e2da26b5f15a24b645d297bf4cca0fef639f5225a2b314ba76e01d9e",
+    hash: "fcac85c0bc846bea939cd4f12dcb780ccd82b36b2552eb255bb129485dfc88cc",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "07cc2e7749825bbfafdc6873c43c76b433d7f0c2633e83ca1c07abdd01716d65",
+    hash: "1d51f595f7534afb5c7ec5305819b6ba026e495cc140f774bddec2f708bb8489",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d77cd0a0eeeaaafcefc3048c4e2f8f430b42417d61670ce6c5ae88449ee44500",
+    hash: "2928aeab60cf52f9ce8d228d972f191413c58146183a86a894c54be9f921b118",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -537,7 +537,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b662ace4c16b1c869cbdc2013f6d00aede9d5546e7962b7066ad5699ed1dce5b",
+    hash: "569ec0d9b956b098c2ca72da74069eb0b1b977fcd893ae9b86ebd7cb4a52a908",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "30e38ea61909581937bb50fb43c6f98f4b444cbbd906a05f9e6386d586caae92",
+    hash: "9b01b63bcc8b4d2cd2f292f8b9b301eca3c8313f423a272616a497d0f44bbb12",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -563,5 +563,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f62793fce7449712d6356b5ce6f85f53bad2f4f58e5f2a2e3f9b322db209b5f5",
+    hash: "f740fdc6e870a9b17eb0cc1f7305d9dca5e4b953387c53ba8bd84ef3c9f5f397",
 };

@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "d98439d50ead0485f87fc4ae78c21a68a9487f1f5098afd39f73e7e3605466d1",
+    hash: "e1008fe8da41fc45a1544f40f75e2f3fb3d956a16e85721a2fd51087ed2cfc50",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "4e86ffb79124f593fa3456b3787e41bfeb1cbfd13bbfc8f68b0a4e9a2c1bf3a3",
+    hash: "886677fb653cdac560c9dfe7264a1c4cb75b775bde734e6a62a8063ee1051276",
 };

@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "18c9093547b767fbf70a52a8082c753117babaf06bc37a24edfe556638382466",
+    hash: "3ba7cbc6a4301f68392193b15dd8d2718b8394d9ca32c3d6272a507711e4d11a",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "8e627e4aa124d0a47a4461a1a00eae7c8001300b2d61cd255d9fc6a551387a92",
+    hash: "cf67dccf3df8e55b0f56c70fdb5c52b099af434a08299f515f73cb1edc893647",
 };

@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "71350bb228cb21f2e0245e27196d3c0fcb6ed1901af6e5ba68c4ccf3a59685ee",
+    hash: "1c53b21959d8f405d357ddeab5ef4633450b43788cba4ddbb56631a7ff66cd34",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "470938dc54d23862b308e3836e0d860a20cdcddfcab45b88993d5383f3de03ad",
+    hash: "5e1cde44373531c6e56da402671af11f100b86c21bf7b30dbf0c106846006bca",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "7a4c82e21475fec4cb0aee45c861d064c44d19c7e94b62d9d30ce7e61d0231b0",
+    hash: "fea668e8c932ad56f74a1449d2ff5fa31e857003d74e2a7a1c3d4006a6b59fad",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "990520ca1c8772dd64cfc31aaa79b622c04712332517cfd63956817fcf947469",
+    hash: "6a936852580819ddadc0ec565eb653e8a8b5933fb602802f2faa0a30df578ec1",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "daeb25f3c3e68fd901060723caae85e7f5ed4f49d9f493601bf7b582fb5a0f39",
+    hash: "33d6bf42137d45ff318c8d3b1f8b4ab1c007fecac199c96f9c3c45fb20d8aaa3",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "32077525e58ff021e7fcf5b1ac60de78ff85077fc69911c67e35be7e527108cd",
+    hash: "48f8dd38b7cddd6ea35f4652619f5e076fca63bef1a0349c5c735fd6897d3c64",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3dd9307e64c1d1d47563053ed7d8027dd970dd8da5e7705517edd93a116f17b5",
+    hash: "4feac5cde2d11915333bf9604b9d504b38a401382a80377496ab175ecbd8d0d0",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a32e9fd74f4f181e8a9fab8e8093bd22b474ee0f63b333544da69fd01b92d631",
+    hash: "31a01a1b517e5a3ecc8bb341b1b6f8b2fe922c94a971c242094124ab3c830de8",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "90390320a049bb82f619eb465c32de0b2e8d375e16f1e0ea59a2749a55ec06ec",
+    hash: "c21e7fd7091a073eed48660530ec3bcfd4751cf791a052e2671634d3459c969f",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "9aab310a5b24ecd5a71c00ced3bdcfb1043eb0f0a3f87de8b8b3a06d79e4680f",
+    hash: "b4e68d661984edd5111e1744a77cc9457f7c76ca011a11c02458bad434aa5dd5",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "8aa27523f8e20f72495adf2c69c19078264691f45c4d4e774553b078a21109ad",
+    hash: "1796f0bfb23f052fa7d549e4d70347d8a47a36d462a9def6b15f82fb9b10beee",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "bf3aff70909e3c9a2b87d67e77b6a3ac0a0954322c6f3659f3ba4195442f6ebf",
+    hash: "75850d1c704e704c9e1949782fff798610400550159c9f5d6627d5f5c308ae44",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cfea4030f732c7b3e36e22ee1eee19124717e70abb5cb551fd9e8a0b461d0b7b",
+    hash: "d4e65fdb2ec17bfb30ea8f88787cac4cf3597db5c01fe868f280c97ab658a5f8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "58bf7cca2d5dda799d287135e7c28d25e67e35941af47d5cc0a764c1bd5fed4c",
+    hash: "fa467fbab1b9a6d260f10c48f3489abb69b63e52566c13fdc888dd2a549f2575",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "0065e6fad46cc764bbc2e9109a45b8031ab39ad494a174d3f5545ca33b514860",
+    hash: "64d1272a8e091d68b0a837b4c76d1ebc4408d436e0f0b4b28456ee1709bee4dd",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3fef94621be2bab6e3ff3e5dd9cb82488fbd79e722d73d76da3049fb15988212",
+    hash: "d165ff800bc6dadc431d64bd493e35d9ba6168e50c93c0f91206db0b4e4208c8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7e0ce6526629ac33f8fddbba701cde93a95782b1bc8d3bf2363be852cc20f4ed",
+    hash: "022cb7cc75d3d8461676f1b93fb94d08baff23ca58903194b0ac9a6dde9cec34",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "d039f2d9ec57b3dc75c97c44f52774ee361dbe1bab7ce7aedc9feda68f414322",
+    hash: "a80cf1b9b8af0ae8891e0b21c1ed9aad30b45b5b29e2d5757c8e5d049584f406",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b02f8beb9221f9d229cf76d478dc5346f33da9268f073d95bd67ffbfcdb920d3",
+    hash: "a86c5b88ca9b3460e0cf847b8176604209340908715e16ef1bacfe99a58bb7f7",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a4c86fc196723dcc4b96a5ad3c4ce456816414b4ef99110731064f542e4cc1f2",
+    hash: "474551de620c81728bc5adec7ffe00d1ec0ed060a3d3f29c9b98f9c1cb85ba57",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "936194fa98dfc2d90e809926fd6ab24b05fbe2be53179e7024ccd05491f56480",
+    hash: "fccf0cffe9e72cf27cf7a84398a3e4adff9801f1e4c6f537b674ddc085795811",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fbb4e40e70b29be07b8d502cbda8188ad7377e60e73d1343912f34cab18bd007",
+    hash: "03402d938a15a4a014930f67c4151770e3e2a9e3dace8a5dde45ad2c2fd87637",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "138ca8b947183f14f8699c4c8c8acc4d9a905b366ad053d22b3555c49056f5eb",
+    hash: "b0190582181ad878eebff83ed1da9e41d896cc38ec1580a2883a357ad7b2a5a4",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3a7a5ac14644150b99b0c090c02025d57621e2142ab34602a5a072cebfd99c80",
+    hash: "c71608d0d1495fc4840f5a32a87d1a7a981fec87551dab4a0dfb1875371ba688",
 };

@@ -66,7 +66,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "52d718e7623423e45edb44ebb52688f0ccbc5857fd55b44e818951afa42c4f43",
+    hash: "ba164c90f844555f9adedd782a26defc6f6a25defcc3c82634fcc759cdd7d914",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -79,5 +79,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "bf2bc25ec024255867b0008b4f706e5083dca0655b8759a9183eeaa223b44504",
+    hash: "fb9fabf9a9115f1b10a9afd5bf6c06683d761e7d06c1f006bccd2c8dbbb8c544",
 };

@@ -64,5 +64,5 @@ static COUNT_COVERED: Module = Module {
     shared_bytes: 4,
     tier: Tier::Floor,
     source: "surface/count_covered.compute",
-    hash: "922cf3084f38f0c6254ce57754e9cd874afa864d7f7a1b553dd620e89b6c3df3",
+    hash: "6ef2812ba009748dcecf4493321b9b7cdfa0dea93b3d7e05089769b59b2b49ca",
 };

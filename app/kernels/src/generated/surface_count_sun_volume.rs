@@ -72,5 +72,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "b06bf5f8a11d469e3ed3125c65fc85d1145a3aa77d9e63f6b4c8fa425a8f27c4",
+    hash: "8678a88b523abb1830647440425dd513b0133c0d7828e2b4882bd230aa9ac329",
 };

@@ -115,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "1e8db47e2808b470d990f0ada76bdaeb942c586652ed97619d0b7c279e8acb3e",
+    hash: "897500fd2514e8964a77119f0f712719289148a60987153812f9c45a4e11671b",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,7 +128,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "1fb638377a19115b57f4fa9505351778949b5d38ccc48cc5554b1e621de20938",
+    hash: "1672bbbacc352f9f9019dba3ae0bfbde5560ea1d4ebed420d4f6f341b84a3d3e",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -141,7 +141,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "da765fab82c3119447e9fc52e58d4cf00c45ff157c28fde85c910c95d0aef344",
+    hash: "950b046d2e4524cdaf14c58b47811e92baf573c8bd2b63202e21412781cf2b4b",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -154,7 +154,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "12577068da1853c8106506644d43f48afc1066ec09d1333f0de10f1618b2aa06",
+    hash: "d5041269067a407fedc6cafb3906a3a43889f27d4e5c3e4fdd5458f2d37b7d0f",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -167,5 +167,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "a4396ae99bf9eb89cfab2af1f951601f3f197ffc4a312d8a584435cf13b982e6",
+    hash: "eaa03b571f188a1ef1b2b063a4a5c743caf95b9726db89456dccd7d2f2b34cca",
 };

@@ -75,7 +75,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "44a664d08eafc5b3eee140d27e0c4124a78179281c88e0d44114a177e405d651",
+    hash: "ed60076707e08488cd3aa08fdab49fe7b7b6f4177676d97b4c422a5f1781e007",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -88,5 +88,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "6c18e3061613c42d7fcd07f6f97e75cd60a09b698bf0c66e844c96d2114f3958",
+    hash: "516998cd5da3b8e0a64b71e3701d81912a43376020e6e8a3a725f50e1f54b2e4",
 };

@@ -62,7 +62,7 @@ static DRAW_OPAQUE_PLANES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "a0b6242fbd000a5f6f1cc1ba88f9afa64aefae46a4311e727d0ba592ce26878a",
+    hash: "e1fd84b18f0db3a6d7a18d20892b386d5d7bef101811fa95fb7b1a5f9d0ebbaf",
 };
 
 static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "75ac4baf2a214b80ce39a60d3c13a0125952ccb1c3d318bf4268b2e584f9139c",
+    hash: "cd6f4d8ebc4fda3067882eb6543358148020f36b723a849e59215472663c9450",
 };

@@ -73,5 +73,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "c003dc578e46fe02b1861ab43284b9bf4e5197ec22e84259d4686e02c6f2bf45",
+    hash: "cf0fc59b60749cf20e1445a8dcdad02170c5086f6b7e108755fd8f4adc91f6f4",
 };

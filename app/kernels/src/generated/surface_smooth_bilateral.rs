@@ -81,7 +81,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "7c00f879a0eeb22e542522fe9a435988ec6766587e6181f8f0f7682296f43b16",
+    hash: "15495ec42cbebf0e2b6a0b618098df91df2492f70fb208aaf28e6919e0aacf94",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -94,7 +94,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "e2a456f206dc866002192dc62971eacc29410d249e44b44c85e849d90ae6b568",
+    hash: "6b3c8a1e56632ccce07697a167e4791d04e08c38b52bdb9aa11689f46c80ded2",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "1c0034c33f68be182943263a8023a85841eedbf85e70493ee3fafc933e7b878b",
+    hash: "a07a25b92829854b44d1d8a11de3d6a8ce00e91d2da888743ea93b9d892a06b3",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "e4dccc4d344faeb4711a6bc2903fd785aa2d70f479c88b00d443995c1bb07c3d",
+    hash: "6dbc4d811b818161f73c113bdfa1fd859be60361fd36440f96dd6a759567b39f",
 };

@@ -65,7 +65,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "b6ba682f7f1a00775efe42b761a7aebe36f961cda803b59c0e14ca5e0d56017e",
+    hash: "fade8515ac6bab42baf56712f535df2f144088ac27b7c2f50c6d5e5632b9737d",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "08cc0cdb565aa16a607dba0391a9d5403bb14de879f174a232b7ce0a1d0c8764",
+    hash: "f0cb9739c4a05ad0181a87c364e35c64d2002706423c948c4c36b546ea263ee8",
 };

@@ -78,7 +78,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "f2dae089764f0357c41f768f4918c32de8cf2ca63466f3ebd9cea64c63c8981f",
+    hash: "2456490f67476c87b5926bbf1dcd717a68eb6ad991fc22365b517be1bcabe8b5",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "abd57b9a1ef8c8201cbdee3ecf6efad6939706376a8927f0896d4e88f0915e84",
+    hash: "36893497f36582d8d16de03a335016eabd45e79f820c4a928de759a6a7c1f0d1",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -104,5 +104,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "868e16e8a08058118c4f536ba1cc709b3fd588285996f223c43372eedf9c265d",
+    hash: "4e4b9470c971b3eb96ef67880b28b14fb606a6a3fc071717c9a73f1f38093c05",
 };

@@ -82,7 +82,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "038ca26b1587b81507ff79328a816b070f19d54b65bac3f2fb03bd236190bc22",
+    hash: "b83802cca0b1f18a6cf2ec20042bd8c4d50e5bcb8f0b0dbe1d9fb1cbc8643722",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -95,7 +95,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "75bca98f36eb27c6f526ded587dbd8beb82dc0db1190e245b866283cd7a9b9e4",
+    hash: "b1279ebdc5a0067f624efa6f56ba4b16a01bcedb2a06e0f3824148069c2d133c",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -108,7 +108,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "2add4064d187d6b70c138379e232f65c20bf179274e25a3839774962fa388fa4",
+    hash: "a5ebb0141a947260e0d8b82ab1babc214696d16149d72a13f064a51e1b12a86a",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -121,5 +121,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "48a2626d7139544f947c2b97c50aa9959e1733860f39b949514bc4745456deca",
+    hash: "60c02e8af41161a6b981ec3ba87bc507a6b14d32881d5231c0ac44ee819e6bdf",
 };

@@ -87,7 +87,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "c9a6c977433e1d4ce8bca14a0a7e1ce84027c4a205aa48f8f0ef20344b3da9b0",
+    hash: "3d9689a7129032272f34ab0f0c485629dcf2f8068380daec3bcab424e52c3ef3",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "521ee03a3a0a854769a9a916f20cc7cae8295aa36316c8081aa6786a265a5b02",
+    hash: "2df756bd580324dd8be1e2d904d13e5dc247924d144bebb09530eccf270beff1",
 };

@@ -80,7 +80,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "1bb6769e1d6390e9bfe9224d0c6aa905686d403593c0a018eab7657dab9422bc",
+    hash: "852eee48605879956263acbbb484fbfa82e961f6ac0026901a50e1f2c817a1d9",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -93,7 +93,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "585e8b9f59c04d400a9cad7062d388287fe0d3d09cd8033d379ba1ab7344653f",
+    hash: "a3739688c19011f18f1408ac20812440b6565269fbc098511d670ae4e52753c5",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -106,5 +106,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "77bab91030fb8e0c87b1403ffebb68d6360969cc029511b0e26a0035eb2641b7",
+    hash: "21d630ed510de879be14c724f61bd82a4e17e6dd83a0f4c0c83900c9468f5410",
 };

@@ -67,5 +67,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "ac77a09b8927ba4f7d6bb4c610e38f1b663f239c5ba7900bdda6ae63f3acec67",
+    hash: "abd14324f674cf217d4a008c938f63295a4a3a93a2ae401800b458e76b1c089c",
 };

@@ -117,7 +117,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "26e61bcd5baf202dbf916a63bab3fbe0937fd2cc36caff3be85a5b7017a6a0e6",
+    hash: "420e440e1d25727ebc1e87f28fc37f2c6aedbdf1766a19d4182e5689c43a4551",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "7503d71fef75c60ceb2fbbb5d3f03aee9dd95d2ae2261b98483f04f62649d241",
+    hash: "98cd7187818363be1e6feebe64497f9daad8efc3b5101d560ea359fdaf10eed9",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "3f494da5d53542e672ecd52c240105a81df0cb6c370c1fa7993e73ba0f86ff73",
+    hash: "2cdff79e01a05d90793ad8365b3526cddb54a2ee1c446137bccee5f38eaf176f",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "f32f6c9ff9a8d0592019d1f0ea1b135b8fb61420dcbce41de2c2dcc49550fd77",
+    hash: "a79e259739c5c1866a6711c3cd044dfd1c863add2fde94927647c6d5c82b5ea6",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -169,5 +169,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "e5e8652750570516283d037d2774a610c03aef35174c9e3e555b0e3d9271e694",
+    hash: "64bf3acf11e75a17e0c74333daf0d7d0de2ac06fde69a114cec04b29f3a9f21d",
 };

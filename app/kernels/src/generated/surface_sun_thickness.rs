@@ -88,7 +88,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "d8a546377cd9312d6e198664441730f526d319648f538fa48b81d7929ccafa99",
+    hash: "7587f081c4579f3daa9e6dcfd4664e443ea8d68cec2a58d9658dd75c33fb7d3f",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "af7a134ff14a42924b6018cca8249ef2caa7eec62d7afc4e148fd45215aa11fd",
+    hash: "a4dd2a66700db75bf791d5cc51be7feec8bff9900ee5ee10e7b020d72e47b1c1",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "5b19241d66602830c87c3af0769a975c7a7072c394e4dd579bd5ca449765c76c",
+    hash: "0b9d12048ee1f85f9273d37ae0063674f597376e3d45c5c2988d7617e3a95e9c",
 };

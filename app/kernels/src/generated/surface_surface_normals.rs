@@ -62,7 +62,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "b5bb02126f09b11d49d2595aa3b122f8551f581590117ca13fec2bbf774b290d",
+    hash: "b775ff617e5841ba31470a5d486650995c14f1565900a984fe32014542a7b93c",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "27975a65846aa06fef9ab020b2844aed59abc24bee6394aa3d0eaf15d6ded4d3",
+    hash: "db9fd4d8eeb458fd3d7c614dc3ad4c3ebd2b56f7d6228c36e7157eeaff0b2cc9",
 };

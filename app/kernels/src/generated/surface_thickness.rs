@@ -94,7 +94,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "9da0513723a229b8bd486277097d54f30f4817ae7bcdfe5c0add219e4dbcf631",
+    hash: "6a5ce3f2b8c0b7fec74bab0ac99d3bbe51d13184e0434ac256c53cc6d0b91ed8",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "9517f541ee0280e80a9feb1d547651166b0da9ea4b6f10886504afb3080ef4db",
+    hash: "8c31423a44d29c0d5e4d82362e8ce9d16c97612d0840b03b8843ae28e0f8b550",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "19bebaa9ebe28045d1b55b2a4b258a048959f0a6bd9e1f3129da2d71689ddf92",
+    hash: "050e71934ebffefac689e584b5816f25d898120d1efb452e15c5d22866ee808b",
 };

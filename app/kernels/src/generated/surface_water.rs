@@ -259,7 +259,7 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "db643794c559127f55ea42113660e6704c7a6f64a3b7811e2768f94b53d4d440",
+    hash: "d314b1b7489385ede06c0cdb265fe3cb4b06b2e21dec16b9356a325e6b5933e8",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
@@ -272,7 +272,7 @@ static DRAW_WATER_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "66a539380400fa96cdcd4d5225748c6adf29c0d86fab2399bb3ed49182fe7cc2",
+    hash: "0c34b4e2992d62a4305d02aab0e6ac0095d9c26f0d126d79d0a279121c3112d5",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -285,7 +285,7 @@ static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "6c26a9d4c3f5c71b47b3ecba4ccd0785845af8fc5b40b56c9fcbf82a9c52248b",
+    hash: "ad140208a792c0de7c9461c13f37bb3bc04fd0559f938afb532932d19dc29199",
 };
 
 static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
@@ -298,7 +298,7 @@ static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "0326e15b0ee1b96a2ac345106ed61be389e1d0cd9b31a58c0e1c6f6384e707aa",
+    hash: "36768ef9ef73d5f2bb65b70178b926a56c2673a17eaa8e01707cf9c4ba6e73f1",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
@@ -311,7 +311,7 @@ static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "06d99966bf4caf2a03c2b759bd063e500bb622e4d057d1c65c51134085932d38",
+    hash: "351e4a5682ca62ff7d7fc9033a46a8f6f3f62464dc5670a29c32ad716ef95da1",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -324,7 +324,7 @@ static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "add857db15264401b6c909a2e1131ca870cd9760c901e8f90e01d21cf30bd7dc",
+    hash: "17560ad28c7f97344d9724507596b3638e31e9474a1e5d3743b2980e9aa001a7",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
@@ -337,7 +337,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "fd8371ce3200e59e9ceda163360f879bcae31727f859c9da41c05e1410b617d4",
+    hash: "770fe6bd63614c176d8dd51c2667a43efd4be73b53b2ba87f89784e7121ced91",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
@@ -350,7 +350,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "dc1a43586a9cceca9d3c3b792cd7f9ee33a200c5b5fde260cec2e23bc082a3fe",
+    hash: "2280b8443761c8b70b9b77b27f7a9c98fa4b5ae127ec33c68a9a260f85cd7277",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module {
@@ -363,7 +363,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "35dfc99ef93d2402a804ca32e81c065d595ebe941b73febc2d9ac238b181b9b6",
+    hash: "79bf59b9278ba6671aa251b03771fb53de1fda6423eb2b68a2a9954ec3986ed2",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -376,7 +376,7 @@ static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "34cde6b5a781aed5174bd5899684601604a7b8e7c78177a144261c544be928b1",
+    hash: "19a298d8d04d384ee06b3ba8b1c723ac1bbe2fbfbe637a9f40ed0825a5fe3891",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
@@ -389,7 +389,7 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "489e1ca1e9100624142fa5f02823c8cde51d37bb5c081b252cf158344c1257b5",
+    hash: "ede83b25ce3ddcae2356aba51a554e632dbc2ac911dc57ca726959774f0317d4",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
@@ -402,5 +402,5 @@ static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "8cd0d712878c9260dbfb117610b2b1b3c8ec5b61435e590d652b237ab58dfeef",
+    hash: "18d4048d4848227ecb19fb5c6384682e50e5838fd9ba53093445e27d84a41f0a",
 };

@@ -17,8 +17,10 @@ pub struct SolidCorner {
     pub position_m: DVec3,
     /// Its normal.
     pub normal: DVec3,
-    /// Its solid's color.
+    /// Its solid's color there.
     pub color: DVec3,
+    /// Share of what smooth paint mirrors.
+    pub gloss: f64,
     /// Whether it is of a rim, 0 or 1.
     pub rim: f64,
 }
@@ -29,7 +31,8 @@ pub fn moved(vertex: &SolidVertex, pose: &SolidPose, paint: &SolidPaint) -> Soli
     SolidCorner {
         position_m: vector(pose.position_m) + rotation * vector(vertex.position_m),
         normal: rotation * vector(vertex.normal),
-        color: vector(paint.color),
+        color: vector(paint.color).lerp(vector(paint.other), f64::from(vertex.rim)),
+        gloss: f64::from(paint.gloss),
         rim: f64::from(vertex.rim),
     }
 }
@@ -99,7 +102,8 @@ fn meet(triangle: &[SolidCorner; 3], from_m: DVec3, direction: DVec3) -> Option<
     let at = SolidCorner {
         position_m: mean(|corner| corner.position_m),
         normal: mean(|corner| corner.normal).normalize(),
-        color: a.color,
+        color: mean(|corner| corner.color),
+        gloss: a.gloss,
         rim: share_a * a.rim + share_b * b.rim + share_c * c.rim,
     };
     Some(SolidHit { along, at, is_front: to_b_m.cross(to_c_m).dot(direction) < 0.0 })
@@ -117,7 +121,7 @@ pub fn solid_light(at: &SolidCorner, eye_m: DVec3, sun: f64, (light, style): (&F
         + 0.25 * n_dot_v * n_dot_v * vector(light.sky_horizon);
     let mirrored = fresnel(0.04, n_dot_v) * 0.6 * sky_gradient(light, (-to_eye).reflect(normal));
     let halfway = (to_sun + to_eye).normalize().dot(normal).clamp(0.0, 1.0);
-    at.color * diffuse + mirrored + 0.16 * halfway.powi(64) * sun
+    at.color * diffuse + at.gloss * (mirrored + 0.16 * halfway.powi(64) * sun)
 }
 
 /// What a face of glass adds toward the eye, and the share that it takes of what is behind it.

@@ -4,6 +4,7 @@
 //! Opaque ones are drawn before the floor, so that they are in what water refracts and in the depth that hides it. Those of
 //! glass are drawn last, in two halves around the water. (Shaders: `frame/solids.hlsl`, `solids_shadow.hlsl`, `glass.hlsl`.)
 
+mod meshes;
 mod paint;
 pub mod triangles;
 
@@ -47,8 +48,9 @@ impl<'a> Solids<'a> {
         let mut triangles = SolidTriangles::default();
         let segments = if self.scene.solids.len() > FEW { SEGMENTS_OF_MANY } else { SEGMENTS };
         for (number, solid) in (0..).zip(&solids(self.scene).0) {
-            if self.scene.solids[number as usize].look == look {
-                triangles.add(number, solid, segments);
+            let settings = &self.scene.solids[number as usize];
+            if settings.look == look {
+                triangles.add(number, solid, segments, settings);
             }
         }
         triangles

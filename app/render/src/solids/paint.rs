@@ -12,17 +12,27 @@ const PAINTS: [[f64; 3]; 6] = [
     [0.80, 0.76, 0.68],
     [0.46, 0.42, 0.46],
 ];
+/// Of ground: what grows where it is level, and what is left where it is steep or wet.
+const GROUND: [[f64; 3]; 2] = [[0.36, 0.41, 0.23], [0.47, 0.39, 0.30]];
 /// Of glass.
 const GLASS: [f64; 3] = [0.80, 0.93, 0.89];
 
 /// What the shaders are told of a solid's look, which is the scene's of this `index`.
 pub fn paint(solid: &SolidSettings, index: usize) -> SolidPaint {
     let own = match solid.look {
+        SolidLook::Solid if solid.terrain.is_some() => GROUND[0],
         SolidLook::Solid => PAINTS[index % PAINTS.len()],
         SolidLook::Glass => GLASS,
     };
-    let color = solid.color.unwrap_or(own).map(|channel| linear(channel) as f32);
-    SolidPaint { color, ..SolidPaint::default() }
+    let color = solid.color.unwrap_or(own);
+    let other = match (solid.terrain.is_some(), solid.color) {
+        (true, None) => GROUND[1],
+        (true, Some(color)) => color.map(|channel| 0.7 * channel),
+        (false, _) => color,
+    };
+    let [color, other] = [color, other].map(|color| color.map(|channel| linear(channel) as f32));
+    let gloss = if solid.terrain.is_some() { 0.12 } else { 1.0 };
+    SolidPaint { color, other, gloss, ..SolidPaint::default() }
 }
 
 /// Linear light of an sRGB channel.

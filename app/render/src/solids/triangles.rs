@@ -3,7 +3,8 @@
 //! Round sides have the normals of what they stand for and meet at rims with a hard edge, as a box's faces do. A hollow solid
 //! has its outside, its inside and, where it is open, the rim between both.
 
-use brooklet_kernels::{SHAPE_BOX, SHAPE_CAPSULE, Solid, SolidVertex};
+use brooklet_fluid::scene::SolidSettings;
+use brooklet_kernels::{SHAPE_BOX, SHAPE_CAPSULE, SHAPE_FIELD, Solid, SolidVertex};
 use glam::DVec3;
 
 /// Triangles of some of a scene's solids.
@@ -19,10 +20,11 @@ pub struct SolidTriangles {
 type ProfilePoint = [f64; 4];
 
 impl SolidTriangles {
-    /// Adds solid `number` of the scene, with so many `segments` around whatever is round.
-    pub fn add(&mut self, number: u32, solid: &Solid, segments: u32) {
+    /// Adds solid `number` of the scene, which has these `settings`, with so many `segments` around whatever is round.
+    pub fn add(&mut self, number: u32, solid: &Solid, segments: u32, settings: &SolidSettings) {
         let before = self.vertices.len();
         match solid.shape {
+            SHAPE_FIELD => settings.triangles().into_iter().for_each(|own| self.add_triangles(settings, own)),
             SHAPE_BOX => self.add_box(solid),
             SHAPE_CAPSULE => self.add_capsule(solid, segments),
             _ => self.add_cylinder(solid, segments),
@@ -109,14 +111,14 @@ impl SolidTriangles {
         }
     }
 
-    fn quad(&mut self, corners_m: [DVec3; 4], normal: DVec3, rim: f32) {
+    pub(super) fn quad(&mut self, corners_m: [DVec3; 4], normal: DVec3, rim: f32) {
         let first = self.vertices.len() as u32;
         corners_m.into_iter().for_each(|corner_m| self.vertex(corner_m, normal, rim));
         self.triangle([first, first + 1, first + 2]);
         self.triangle([first, first + 2, first + 3]);
     }
 
-    fn vertex(&mut self, position_m: DVec3, normal: DVec3, rim: f32) {
+    pub(super) fn vertex(&mut self, position_m: DVec3, normal: DVec3, rim: f32) {
         self.vertices.push(SolidVertex {
             position_m: position_m.as_vec3().into(),
             solid: 0,

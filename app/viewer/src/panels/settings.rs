@@ -129,7 +129,7 @@ fn edit(ui: &mut Ui, setting: &Setting) -> Option<(Response, Option<String>)> {
         (Kind::Vector(limits), _) => Some(vector(ui, setting, limits)),
         (Kind::Switches, _) => Some(switches(ui, setting)),
         // Every number has a slider.
-        (Kind::Number(_) | Kind::Whole(_) | Kind::Text | Kind::Table | Kind::Tables, _) => None,
+        (Kind::Number(_) | Kind::Whole(_) | Kind::Vectors(_) | Kind::Text | Kind::Table | Kind::Tables, _) => None,
     }
 }
 

@@ -1,5 +1,5 @@
-// The way of a particle among solids. Includers declare `solids`, `solid_poses`, `solid_blocks`, `solids_params` and
-// `step_params`. With BODIES they give back what they do to particles (boundary/bodies/react.hlsli).
+// The way of a particle among solids. Includers declare `solids`, `solid_poses`, `solid_fields`, `solid_blocks`,
+// `solids_params` and `step_params`. With BODIES they give back what they do to particles (boundary/bodies/react.hlsli).
 #ifndef BROOKLET_COLLIDE
 #define BROOKLET_COLLIDE
 
@@ -24,6 +24,7 @@ float3 TracedPath(Solid solid, float3 place_m, float3 end_m)
 {
     float stop_m = solids_params.stop_m;
     float3 rest_m = end_m - place_m;
+    float steepness = solid.shape == SHAPE_FIELD ? FIELD_STEEPNESS : 1.0;
     [loop]
     for (uint k = 0; k < TRACE_STEPS; ++k)
     {
@@ -34,7 +35,7 @@ float3 TracedPath(Solid solid, float3 place_m, float3 end_m)
         float length_m = length(rest_m);
         if (length_m <= UNTOUCHED * stop_m)
             break;
-        float share = min(max(gap_m, LEAST_STEP * stop_m) / length_m, 1.0);
+        float share = min(max(gap_m / steepness, LEAST_STEP * stop_m) / length_m, 1.0);
         place_m += rest_m * share;
         rest_m -= rest_m * share;
     }

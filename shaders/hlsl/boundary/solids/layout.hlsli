@@ -11,6 +11,7 @@ static const uint SOLID_MASK_WORDS = 4;
 static const uint SHAPE_BOX = 0;
 static const uint SHAPE_CAPSULE = 1;    // a sphere with half a length of 0
 static const uint SHAPE_CYLINDER = 2;
+static const uint SHAPE_FIELD = 3;      // distances on a grid (field.hlsli)
 
 // A solid's shape, in its own frame: its middle at the origin, its axis along y.
 struct Solid
@@ -28,6 +29,10 @@ struct Solid
     uint keyframe_count;
     float period_s;         // after which keyframes begin again; 0: they end
     uint body;              // which body it is; NO_BODY (boundary/bodies): it moves by its keyframes
+    float3 field_min_m;     // lowest node of a field
+    float field_cell_m;     // between two of its nodes
+    uint3 field_nodes;      // along each side, two or more
+    uint first_field_node;  // of all fields' nodes; x goes fastest
 };
 
 // Where a solid is at a time; between two it moves evenly, and turns evenly around one axis.

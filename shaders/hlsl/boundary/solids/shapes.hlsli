@@ -1,13 +1,15 @@
 // The shapes of solids: how far a point is from one's surface, which way is out, and how much of the kernel around the
 // point lies in it. A box is exact. Round ones have the share of a ball of the same mean curvature: a cylinder's side that
 // of one of twice its radius. A share of a box or of a cylinder's ends is a product of shares along axes, as walls' are
-// (boundary/walls.hlsli). Errors: test `shares_of_shapes_are_close_to_their_integrals` of the twin.
+// (boundary/walls.hlsli). Errors: test `shares_of_shapes_are_close_to_their_integrals` of the twin. Includers declare
+// `solid_fields`.
 #ifndef BROOKLET_SHAPES
 #define BROOKLET_SHAPES
 
 #include "../../shared/layout.hlsli"
 #include "layout.hlsli"
 #include "beyond_plane.hlsli"
+#include "field.hlsli"
 
 struct Surface
 {
@@ -79,10 +81,29 @@ Surface SurfaceOfShape(uint shape, float3 from_middle_m, float3 half_m)
     return SurfaceOfCylinder(from_middle_m, half_m);
 }
 
+// Outside of the grid all of the mesh is at least as far away as from the nearest place in it, and beyond that.
+Surface SurfaceOfField(Solid solid, float3 place_m)
+{
+    FieldSample field = SampleField(solid, place_m);
+    float3 normal = Direction(field.distance_slope, float3(0.0, 1.0, 0.0));
+    Surface surface;
+    surface.distance_m = field.value.x;
+    surface.normal = normal;
+    if (any(field.outside_m != 0.0))
+    {
+        float3 away_m = max(field.value.x, 0.0) * normal + field.outside_m;
+        surface.distance_m = length(float2(max(field.value.x, 0.0), length(field.outside_m)));
+        surface.normal = Direction(away_m, normal);
+    }
+    return surface;
+}
+
 // At a place in the solid's frame. Of a hollow one the nearer of its outside and of its cavity, which are cut out of each
-// other: nowhere more than the distance.
+// other: nowhere more than the distance, but of a field.
 Surface SurfaceOf(Solid solid, float3 place_m)
 {
+    if (solid.shape == SHAPE_FIELD)
+        return SurfaceOfField(solid, place_m);
     Surface surface = SurfaceOfShape(solid.shape, place_m, solid.half_m);
     if (solid.is_hollow != 0)
     {
@@ -178,9 +199,22 @@ ShapeShare ShareOfShape(uint shape, float3 place, float3 low, float3 high, Smoot
     return ShareOfCylinder(place, 0.5 * (high.x - low.x), low.y, high.y, kernel);
 }
 
+ShapeShare ShareOfField(Solid solid, float3 place_m, SmoothingKernelParams kernel)
+{
+    FieldSample field = SampleField(solid, place_m);
+    float2 beyond = BeyondPlane(field.value.y, kernel);
+    bool outside = any(field.outside_m != 0.0);
+    ShapeShare of;
+    of.share = outside ? 0.0 : beyond.x;
+    of.slope = outside ? 0.0 : -beyond.y * kernel.support_m * field.plane_slope;
+    return of;
+}
+
 // At a place in the solid's frame. Of a hollow one the shape's without the cavity's, which is cut off where it is open.
 ShapeShare ShareOf(Solid solid, float3 place_m, SmoothingKernelParams kernel)
 {
+    if (solid.shape == SHAPE_FIELD)
+        return ShareOfField(solid, place_m, kernel);
     float per_m = kernel.inverse_support_per_m;
     float3 place = place_m * per_m;
     float3 high = solid.half_m * per_m;

@@ -6,7 +6,7 @@ use super::{Checker, tidied};
 use crate::scene::bodies::{MOST_BODIES, body_solids, points_of};
 use crate::scene::field::Short;
 use crate::scene::solid_shapes::StandingSolid;
-use crate::scene::{Scene, SceneError, SolidSettings};
+use crate::scene::{Scene, SceneError, Shape, SolidSettings};
 
 /// Of the fluid's density: what is lighter or heavier was not tried.
 const RATIOS: [f64; 2] = [0.05, 20.0];
@@ -38,6 +38,12 @@ impl Scene {
                 Short(density_kg_m3),
                 format_args!("{} to {}: {} to {} times the fluid's", Short(least), Short(most), RATIOS[0], RATIOS[1]),
             )?;
+            check.require(
+                solid.shape() != Shape::Triangles,
+                &format!("{field}.density_kg_m3"),
+                Short(density_kg_m3),
+                "not with a mesh, a hull or ground: what the fluid moves is a box, a sphere, a capsule or a cylinder",
+            )?;
             self.check_place(check, &field, solid)?;
             self.check_overlap(check, &field, (index, solid))?;
         }
@@ -46,7 +52,7 @@ impl Scene {
 
     /// Inside walls, where there are any.
     fn check_place(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
-        let [low_m, high_m] = StandingSolid::of(solid).bounds_m();
+        let [low_m, high_m] = StandingSolid::of(solid, self).bounds_m();
         let hair_m = 1e-6 * self.domain.size_m().into_iter().fold(0.0, f64::max);
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
             let [min_m, max_m] = [self.domain.min_m[axis], self.domain.max_m[axis]];
@@ -68,12 +74,12 @@ impl Scene {
         field: &str,
         (index, solid): (usize, &SolidSettings),
     ) -> Result<(), SceneError> {
-        let own = StandingSolid::of(solid);
+        let own = StandingSolid::of(solid, self);
         let points: Vec<(DVec3, f64)> =
             points_of(solid).into_iter().map(|(at, radius)| (own.placed_m(at), radius)).collect();
         let allowed_m = 0.25 * self.fitted_spacing_m();
         for (other, settings) in self.solids.iter().enumerate().filter(|(other, _)| *other != index) {
-            let standing = StandingSolid::of(settings);
+            let standing = StandingSolid::of(settings, self);
             let gaps_m = points.iter().map(|(at_m, radius_m)| standing.distance_m(at_m.to_array()) - radius_m);
             let deepest_m = -gaps_m.fold(f64::INFINITY, f64::min);
             check.require(
@@ -84,5 +90,48 @@ impl Scene {
             )?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::body_mass_kg;
+
+    const SMALL: &str = "spacing_m = 0.1\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 2, 1]\n[[fluid]]\nblock = { min_m = [0, 0, 0], max_m = [0.3, 0.2, 0.1] }\n";
+
+    fn load(text: &str, settings: &[&str]) -> Result<Scene, String> {
+        let settings: Vec<String> = settings.iter().map(|&s| s.into()).collect();
+        Scene::from_toml(text, "small.toml", &settings).map_err(|error| error.to_string())
+    }
+
+    /// One wrong thing each, of a scene with a body over a solid.
+    #[test]
+    fn messages_about_bodies_name_the_body_and_what_is_allowed() {
+        let solids = "[[solid]]\nbox = { size_m = [0.4, 0.2, 0.4] }\ncentre_m = [0.5, 1.5, 0.5]\ndensity_kg_m3 = 500\n\
+            [[solid]]\nsphere = { radius_m = 0.2 }\ncentre_m = [0.5, 1.2, 0.5]\n";
+        let text = SMALL.to_string() + solids;
+        let scene = load(&text, &[]).unwrap();
+        assert!((body_mass_kg(&scene.solids[0]) - 16.0).abs() < 1e-9 && body_mass_kg(&scene.solids[1]) == 0.0);
+        let cases: &[(&str, &[&str])] = &[
+            ("solid.0.density_kg_m3=0", &["solid.0.density_kg_m3 = 0", "0.001 to"]),
+            ("solid.0.density_kg_m3=10", &["solid.0.density_kg_m3 = 10", "50 to 20000: 0.05 to 20 times the fluid's"]),
+            ("solid.0.keyframe=[{ time_s = 0 }]", &["solid.0", "not with"]),
+            (
+                "solid.0.centre_m=[0.5, 1.3, 0.5]",
+                &["solid.0.centre_m = 0.2 m of it are in solid.1", "at most, 0.025 m"],
+            ),
+            ("solid.0.centre_m=[0.9, 1.5, 0.5]", &["a body from x = 0.7 to 1.1: must begin in the domain, 0 to 1"]),
+            (
+                "solver.pbf.warm_start=0.2",
+                &["solver.pbf.warm_start = 0.2", "must be 0 with a solid that has a density_kg_m3"],
+            ),
+        ];
+        for (setting, parts) in cases {
+            let message = load(&text, &[setting]).unwrap_err();
+            assert!(parts.iter().all(|part| message.contains(part)), "{setting}: {message}");
+        }
+        let many = SMALL.to_string() + &"[[solid]]\nsphere = { radius_m = 0.1 }\ndensity_kg_m3 = 500\n".repeat(65);
+        assert!(load(&many, &[]).unwrap_err().contains("solid = 65 solids with a density_kg_m3: at most 64"));
     }
 }

@@ -218,7 +218,7 @@ impl Scene {
         }
         let Some(first) = poses.first() else { return Ok(()) };
         for (index, solid) in self.solids.iter().enumerate() {
-            let standing = StandingSolid::of(solid);
+            let standing = StandingSolid::of(solid, self);
             for point_m in &points_m {
                 let place_m = (first.centre_m + first.rotation * *point_m).to_array();
                 check.require(

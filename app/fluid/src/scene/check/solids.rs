@@ -27,9 +27,11 @@ impl Scene {
             format_args!("{} solids", self.solids.len()),
             format_args!("not with {why}"),
         )?;
+        self.check_nodes(check)?;
         let each = self.solids.iter().enumerate();
         each.map(|(index, solid)| (format!("solid.{index}"), solid)).try_for_each(|(field, solid)| {
             self.check_shape(check, &field, solid)?;
+            self.check_field(check, &field, solid)?;
             self.check_cavity(check, &field, solid)?;
             self.check_motion(check, &field, solid)
         })?;
@@ -42,7 +44,7 @@ impl Scene {
             given == 1,
             field,
             format_args!("{given} shapes"),
-            "give it one of `box`, `sphere`, `capsule` and `cylinder`",
+            "give it one of `box`, `sphere`, `capsule`, `cylinder`, `mesh`, `hull` and `terrain`",
         )?;
         if let Some(capsule) = solid.capsule {
             check.require(
@@ -76,6 +78,7 @@ impl Scene {
             Shape::Box(half_m) => (half_m.into_iter().fold(f64::INFINITY, f64::min), OpenFaces::NAMES),
             Shape::Cylinder(radius_m, half_m) => (radius_m.min(half_m), &["y_min", "y_max", "ends"][..]),
             Shape::Capsule(radius_m, _) => (radius_m, &[][..]),
+            Shape::Triangles => return self.check_sheet(check, field, solid),
         };
         check.require(
             thickness_m < narrowest_m,
@@ -93,7 +96,7 @@ impl Scene {
             },
         )?;
         match solid.shape() {
-            Shape::Box(_) => Ok(()),
+            Shape::Box(_) | Shape::Triangles => Ok(()),
             Shape::Capsule(radius_m, _) | Shape::Cylinder(radius_m, _) => {
                 self.check_radius(check, &format!("{field}.thickness_m"), radius_m - thickness_m)
             }

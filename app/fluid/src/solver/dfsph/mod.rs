@@ -189,6 +189,7 @@ impl Dfsph {
                 counters: context.counters.write(),
                 solids: stopping.map(|stopping| stopping.solids.read()),
                 solid_poses: stopping.map(|stopping| stopping.poses().read()),
+                solid_fields: stopping.map(|stopping| stopping.fields.read()),
                 solid_blocks: stopping.map(|stopping| stopping.blocks.read()),
                 solids_params: stopping.map(|stopping| stopping.params().uniform()),
                 step_state: context.slots.state.uniform(),

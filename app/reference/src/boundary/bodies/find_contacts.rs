@@ -18,7 +18,7 @@ pub struct SurfacePoint {
 }
 
 /// A solid, where it is, where it was a substep before, and which body it is.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Other {
     /// Its shape.
     pub solid: Solid,

@@ -28,7 +28,7 @@ pub fn traced_path(solid: &Solid, start_m: DVec3, end_m: DVec3, stop_m: f64) -> 
         if length_m <= UNTOUCHED * stop_m {
             break;
         }
-        let share = (gap_m.max(LEAST_STEP * stop_m) / length_m).min(1.0);
+        let share = ((gap_m / solid.steepness()).max(LEAST_STEP * stop_m) / length_m).min(1.0);
         place_m += rest_m * share;
         rest_m -= rest_m * share;
     }

@@ -2,8 +2,10 @@
 
 pub mod collide;
 pub mod contact;
+pub mod field;
 pub mod motion;
 pub mod shapes;
 
+pub use field::Field;
 pub use motion::Pose;
 pub use shapes::{Shape, Solid};

@@ -1,7 +1,10 @@
 //! The shapes of solids: distances from their surfaces, and how much of the kernel lies in them. (Shader:
 //! `boundary/solids/shapes.hlsli`.)
 
-use brooklet_kernels::{SHAPE_BOX, SHAPE_CAPSULE, SmoothingKernelParams};
+use std::sync::Arc;
+
+use super::field::{FIELD_STEEPNESS, Field};
+use brooklet_kernels::{SHAPE_BOX, SHAPE_CAPSULE, SHAPE_FIELD, SmoothingKernelParams};
 use glam::{DVec2, DVec3};
 
 /// What a solid is, in its own frame; see `Solid` of the shaders' layout.
@@ -16,7 +19,7 @@ pub enum Shape {
 }
 
 /// A solid's shape, and what contacts with it do.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
     /// What its numbers mean.
     pub shape: Shape,
@@ -26,6 +29,8 @@ pub struct Solid {
     pub cavity_m: Option<[DVec3; 2]>,
     /// Half the sides of the box around it, m.
     pub extent_m: DVec3,
+    /// Of a mesh, in place of shape, sizes and cavity.
+    pub field: Option<Arc<Field>>,
     /// Coulomb friction.
     pub friction: f64,
     /// Of a contact.
@@ -37,9 +42,10 @@ fn vector(v: [f32; 3]) -> DVec3 {
 }
 
 impl Solid {
-    /// What shaders are given.
-    pub fn of(solid: &brooklet_kernels::Solid) -> Self {
+    /// What shaders are given, with the nodes of all fields.
+    pub fn of(solid: &brooklet_kernels::Solid, nodes: &[[f32; 2]]) -> Self {
         Self {
+            field: (solid.shape == SHAPE_FIELD).then(|| Arc::new(Field::of(solid, nodes))),
             shape: match solid.shape {
                 SHAPE_BOX => Shape::Box,
                 SHAPE_CAPSULE => Shape::Capsule,
@@ -55,14 +61,28 @@ impl Solid {
 
     /// How far a place is from the surface, m, negative inside, and which way is out.
     pub fn surface(&self, place_m: DVec3) -> (f64, DVec3) {
+        if let Some(field) = &self.field {
+            return field.surface(place_m);
+        }
         let outside = surface(self.shape, place_m, self.half_m);
         let Some([min_m, max_m]) = self.cavity_m else { return outside };
         let (into_m, out) = surface(self.shape, place_m - 0.5 * (min_m + max_m), 0.5 * (max_m - min_m));
         if -into_m > outside.0 { (-into_m, -out) } else { outside }
     }
 
+    /// How fast its distance may change at most.
+    pub fn steepness(&self) -> f64 {
+        if self.field.is_some() { FIELD_STEEPNESS } else { 1.0 }
+    }
+
     /// How much of the kernel around a place, in h, lies in it, and the slope of that by position, per h.
     pub fn share(&self, place: DVec3, support_m: f64, plane: &BeyondPlane) -> (f64, DVec3) {
+        if let Some(field) = &self.field {
+            let sample = field.sample(place * support_m);
+            let (share, slope) = plane.at(sample.values[1]);
+            let is_inside = sample.outside_m == DVec3::ZERO;
+            return if is_inside { (share, -slope * support_m * sample.slopes[1]) } else { (0.0, DVec3::ZERO) };
+        }
         let half = self.half_m / support_m;
         let whole = share(self.shape, place, -half, half, plane);
         let Some([min_m, max_m]) = self.cavity_m else { return whole };
@@ -226,7 +246,7 @@ mod tests {
 
     fn solid(shape: Shape, half_m: DVec3, cavity_m: Option<[DVec3; 2]>) -> Solid {
         let extent_m = if shape == Shape::Capsule { half_m + DVec3::Y * half_m.x } else { half_m };
-        Solid { shape, half_m, cavity_m, extent_m, friction: 0.0, restitution: 0.0 }
+        Solid { shape, half_m, cavity_m, extent_m, field: None, friction: 0.0, restitution: 0.0 }
     }
 
     /// Places on which particles stand: at several distances outside, in all directions.
