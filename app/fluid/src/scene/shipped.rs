@@ -15,6 +15,7 @@ const SCENES: &[(&str, &str)] = &[
     ("colliding-drops", include_str!("../../scenes/colliding-drops.toml")),
     ("glass", include_str!("../../scenes/glass.toml")),
     ("rotating-box", include_str!("../../scenes/rotating-box.toml")),
+    ("boats", include_str!("../../scenes/boats.toml")),
     ("river", include_str!("../../scenes/river.toml")),
     ("phone-1k", include_str!("../../scenes/phone-1k.toml")),
     ("phone-5k", include_str!("../../scenes/phone-5k.toml")),
