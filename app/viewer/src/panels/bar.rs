@@ -50,18 +50,22 @@ pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>, actions: &mut Vec<Action
     });
 }
 
+/// All scenes without scrolling.
+const LIST_HEIGHT: f32 = 480.0;
+
 fn scenes(ui: &mut Ui, shown: &PanelInput<'_>, actions: &mut Vec<Action>) {
     let open = shown.current.map_or("scene", |current| current.scene.name.as_str());
-    let list = ComboBox::from_id_salt("scenes").selected_text(open).width(132.0).show_ui(ui, |ui| {
-        for (name, summary) in shipped_scenes() {
-            let response = ui.selectable_label(name == open, name).on_hover_text(summary);
-            mark(&response, &format!("scene {name}"));
-            if response.clicked() {
-                actions.push(Action::Open(name.to_owned()));
+    let list =
+        ComboBox::from_id_salt("scenes").selected_text(open).width(132.0).height(LIST_HEIGHT).show_ui(ui, |ui| {
+            for (name, summary) in shipped_scenes() {
+                let response = ui.selectable_label(name == open, name).on_hover_text(summary);
+                mark(&response, &format!("scene {name}"));
+                if response.clicked() {
+                    actions.push(Action::Open(name.to_owned()));
+                }
             }
-        }
-        ui.label(RichText::new("or drop a scene file on the window").small().color(style::QUIET));
-    });
+            ui.label(RichText::new("or drop a scene file on the window").small().color(style::QUIET));
+        });
     mark(&list.response, "scenes");
 }
 
