@@ -267,12 +267,14 @@ pub(crate) fn solids_are_lit_where_their_poses_put_them(device: &Device) {
             "draw_solids {size_px:?}: {beyond} of {covered} pixels on edges, the others within {worst:.2}; {lit} lit, {shaded} shaded"
         );
 
-        // One solid that is a little elsewhere, or turned a little, is told apart.
+        // Solids that are a little elsewhere, or turned a little, are told apart.
         let mut moved = poses.clone();
-        moved[1].position_m[0] += 0.04;
+        moved.iter_mut().for_each(|pose| pose.position_m[0] += 0.06);
         let mut turned = poses.clone();
-        let rotation = DQuat::from_array(turned[0].rotation.map(f64::from));
-        turned[0].rotation = (DQuat::from_rotation_z(0.2) * rotation).as_quat().to_array();
+        for pose in &mut turned {
+            let rotation = DQuat::from_array(pose.rotation.map(f64::from));
+            pose.rotation = (DQuat::from_rotation_z(0.3) * rotation).as_quat().to_array();
+        }
         for wrong in [moved, turned] {
             let Compared { covered, beyond, .. } = compare(&drawn, &cast(&scene, &wrong, SolidLook::Solid), size_px);
             ensure!(beyond as f64 > on_edges(device) * covered as f64, "a wrong pose passes: {beyond} of {covered}");
