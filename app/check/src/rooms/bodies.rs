@@ -258,7 +258,8 @@ fn words(sums: [i64; 6], pushes: u32) -> Vec<u32> {
     halves.chain([pushes, 0, 0, 0]).collect()
 }
 
-fn sums_of(words: &[u32]) -> ([i64; 6], u32) {
+/// The sums of a reaction, in units, and how many pushes.
+pub(super) fn sums_of(words: &[u32]) -> ([i64; 6], u32) {
     let sum = |k: usize| i64::from(words[2 * k]) | i64::from(words[2 * k + 1] as i32) << 32;
     (std::array::from_fn(sum), words[12])
 }

@@ -1,15 +1,17 @@
 //! What stops paths gives to bodies what it takes of particles: `collide_solids` and `confine_displacements` with bodies.
 
-use super::solids::{DT_S, STOP_M, TIMES_S, case, is_fickle, near_solids, paths, single, walls};
-use crate::bench::Bench;
+use super::bodies::sums_of;
+use super::solids::{Case, DT_S, STOP_M, TIMES_S, case, is_fickle, near_solids, paths, single, walls};
+use crate::bench::{Bench, Done};
 use crate::cases::{SUPPORT_M, kernel_params, sizes, step_state};
 use crate::compare::{Worst, vector};
 use crate::device::Device;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, ensure};
 use brooklet_kernels::{
-    BodyState, CollideSolids, CollideSolidsVariant, ConfineDisplacements, ConfineDisplacementsVariant, Kernel as _,
-    Position, PrecisionKeyword, QUARANTINED, REACTION_WORDS, Solid, SolidsParams, StepParams, Velocity,
+    BodyState, Buffer, CollideSolids, CollideSolidsVariant, ConfineDisplacements, ConfineDisplacementsVariant,
+    Kernel as _, Position, PrecisionKeyword, QUARANTINED, REACTION_WORDS, Solid, SolidPose, SolidsParams, StepParams,
+    StepState, Velocity,
 };
 use brooklet_reference::boundary::solids::collide::{Moving, path_among_solids};
 use brooklet_reference::shared::quantized_position::Quantization;
@@ -30,7 +32,7 @@ struct Paths {
     moving: Vec<Moving>,
 }
 
-fn free_paths(rng: &mut impl rand::Rng, size: usize, most_m: f64, stands: bool) -> (super::solids::Case, Paths) {
+fn free_paths(rng: &mut impl rand::Rng, size: usize, most_m: f64, stands: bool) -> (Case, Paths) {
     let case = case();
     let moved = case.moving(TIMES_S[size % TIMES_S.len()]);
     let moving: Vec<Moving> = match stands {
@@ -52,22 +54,54 @@ fn free_paths(rng: &mut impl rand::Rng, size: usize, most_m: f64, stands: bool) 
     (case, Paths { starts_m, ends_m, tags, moving })
 }
 
-/// All solids are bodies, whose centres of mass are where their frames are.
-fn all_bodies(solids: &[Solid]) -> Vec<Solid> {
-    solids.iter().enumerate().map(|(s, solid)| Solid { body: s as u32, ..*solid }).collect()
+/// What both stages are given: all solids are bodies, whose centres of mass are where their frames are.
+struct Among {
+    solids: Buffer<Solid>,
+    poses: Buffer<SolidPose>,
+    fields: Buffer<[f32; 2]>,
+    blocks: Buffer<[u32; 4]>,
+    states: Vec<BodyState>,
+    body_states: Buffer<BodyState>,
+    reactions: Buffer<u32>,
+    state: Buffer<StepState>,
+    step: Buffer<StepParams>,
+    params: Buffer<SolidsParams>,
 }
 
-/// Impulse and moment about the domain's corner of all bodies, in m/s of a particle.
-fn given(words: &[u32], states: &[BodyState]) -> (DVec3, DVec3) {
-    let sum =
-        |words: &[u32]| (i64::from(words[0]) | i64::from(words[1] as i32) << 32) as f64 / f64::from(UNITS_PER_M_S);
-    let three = |words: &[u32]| DVec3::new(sum(&words[0..]), sum(&words[2..]), sum(&words[4..]));
-    let (mut impulse, mut moment) = (DVec3::ZERO, DVec3::ZERO);
-    for (words, state) in words.chunks_exact(REACTION_WORDS as usize).zip(states) {
-        impulse += three(words);
-        moment += three(&words[6..]) + vector(state.position_m).cross(three(words));
+fn among(bench: &mut Bench, case: &Case, moving: &[Moving], size: usize) -> Among {
+    let solids: Vec<Solid> =
+        case.solids.iter().enumerate().map(|(s, solid)| Solid { body: s as u32, ..*solid }).collect();
+    let poses = case.poses(moving);
+    let states: Vec<BodyState> =
+        poses.iter().map(|pose| BodyState { position_m: pose.position_m, ..BodyState::default() }).collect();
+    Among {
+        solids: bench.input("solids", &solids),
+        poses: bench.input("solid_poses", &poses),
+        fields: bench.input("solid_fields", &case.fields),
+        blocks: bench.input("solid_blocks", &case.blocks(moving)),
+        body_states: bench.input("body_states", &states),
+        reactions: bench.input("reactions", &vec![0_u32; states.len() * REACTION_WORDS as usize]),
+        states,
+        state: bench.uniform("step_state", step_state(size, DT_S)),
+        step: bench.uniform("step_params", open()),
+        params: bench.uniform("solids_params", SolidsParams { units_per_m_s: UNITS_PER_M_S, ..case.params }),
     }
-    (impulse, moment)
+}
+
+impl Among {
+    /// Impulse and moment about the domain's corner of all bodies, in m/s of a particle.
+    fn given(&self, done: &mut Done) -> (DVec3, DVec3) {
+        let words = done.read(&self.reactions, self.states.len() * REACTION_WORDS as usize);
+        let (mut impulse, mut moment) = (DVec3::ZERO, DVec3::ZERO);
+        for (words, state) in words.chunks_exact(REACTION_WORDS as usize).zip(&self.states) {
+            let (sums, _) = sums_of(words);
+            let three =
+                |at: usize| DVec3::from_array(std::array::from_fn(|k| sums[at + k] as f64 / f64::from(UNITS_PER_M_S)));
+            impulse += three(0);
+            moment += three(3) + vector(state.position_m).cross(three(0));
+        }
+        (impulse, moment)
+    }
 }
 
 /// That bodies have got what particles lost: changes of velocity, and where.
@@ -93,48 +127,36 @@ pub(crate) fn bodies_take_back_what_stops_paths(device: &Device) {
         let velocities: Vec<Velocity> = (0..size)
             .map(|i| Velocity { velocity_m_s: single((ends_m[i] - starts_m[i]) / f64::from(DT_S)), age_s: 0.0 })
             .collect();
-        let poses = case.poses(&moving);
-        let states: Vec<BodyState> =
-            poses.iter().map(|pose| BodyState { position_m: pose.position_m, ..BodyState::default() }).collect();
         let mut bench = Bench::new(device);
-        let solids = bench.input("solids", &all_bodies(&case.solids));
-        let pose_buffer = bench.input("solid_poses", &poses);
-        let fields = bench.input("solid_fields", &case.fields);
-        let blocks = bench.input("solid_blocks", &case.blocks(&moving));
+        let mut among = among(&mut bench, &case, &moving, size);
         let mut position_buffer = bench.input("positions", &positions);
         let mut velocity_buffer = bench.input("velocities", &velocities);
-        let body_states = bench.input("body_states", &states);
-        let mut reactions = bench.input("reactions", &vec![0_u32; states.len() * REACTION_WORDS as usize]);
-        let state = bench.uniform("step_state", step_state(size, DT_S));
-        let step_params = bench.uniform("step_params", open());
-        let params = bench.uniform("solids_params", SolidsParams { units_per_m_s: UNITS_PER_M_S, ..case.params });
         bench.dispatch(
             &CollideSolids {
                 variant: CollideSolidsVariant { bodies: true },
-                solids: solids.read(),
-                solid_poses: pose_buffer.read(),
-                solid_fields: fields.read(),
-                solid_blocks: blocks.read(),
+                solids: among.solids.read(),
+                solid_poses: among.poses.read(),
+                solid_fields: among.fields.read(),
+                solid_blocks: among.blocks.read(),
                 positions: position_buffer.write(),
                 velocities: velocity_buffer.write(),
-                body_states: Some(body_states.read()),
-                reactions: Some(reactions.write()),
-                step_state: state.uniform(),
-                step_params: step_params.uniform(),
-                solids_params: params.uniform(),
+                body_states: Some(among.body_states.read()),
+                reactions: Some(among.reactions.write()),
+                step_state: among.state.uniform(),
+                step_params: among.step.uniform(),
+                solids_params: among.params.uniform(),
             },
             size,
         );
         let mut done = bench.run();
         let got = done.read(&position_buffer, size);
-        let words = done.read(&reactions, states.len() * REACTION_WORDS as usize);
         let taken: Vec<(DVec3, DVec3)> = got
             .iter()
             .zip(&positions)
             .map(|(got, was)| (vector(got.position_m), vector(got.position_m) - vector(was.position_m)))
             .map(|(at_m, moved_m)| (moved_m / f64::from(DT_S), at_m))
             .collect();
-        refused += usize::from(check(&mut worst, given(&words, &states), &taken));
+        refused += usize::from(check(&mut worst, among.given(&mut done), &taken));
     }
     ensure!(refused > 1, "{refused} sums would tell a twentieth more apart");
     worst.report(device);
@@ -151,49 +173,37 @@ pub(crate) fn bodies_take_back_what_confines_displacements(device: &Device) {
             (0..size).map(|i| Position { position_m: single(starts_m[i]), tag: tags[i] }).collect();
         let quantized: Vec<[u32; 2]> =
             ends_m.iter().map(|end_m| Quantization::Full.quantize(single(*end_m / SUPPORT_M))).collect();
-        let poses = case.poses(&moving);
-        let states: Vec<BodyState> =
-            poses.iter().map(|pose| BodyState { position_m: pose.position_m, ..BodyState::default() }).collect();
         let mut bench = Bench::new(device);
-        let solids = bench.input("solids", &all_bodies(&case.solids));
-        let pose_buffer = bench.input("solid_poses", &poses);
-        let fields = bench.input("solid_fields", &case.fields);
-        let blocks = bench.input("solid_blocks", &case.blocks(&moving));
+        let mut among = among(&mut bench, &case, &moving, size);
         let sorted_positions = bench.input("sorted_positions", &sorted);
         let mut quantized_positions = bench.input("quantized_positions", &quantized);
-        let body_states = bench.input("body_states", &states);
-        let mut reactions = bench.input("reactions", &vec![0_u32; states.len() * REACTION_WORDS as usize]);
-        let state = bench.uniform("step_state", step_state(size, DT_S));
-        let step_params = bench.uniform("step_params", open());
-        let params = bench.uniform("solids_params", SolidsParams { units_per_m_s: UNITS_PER_M_S, ..case.params });
         let kernel = bench.uniform("kernel", kernel_params());
         bench.dispatch(
             &ConfineDisplacements {
                 variant: ConfineDisplacementsVariant { bodies: true, precision: PrecisionKeyword::default() },
-                solids: solids.read(),
-                solid_poses: pose_buffer.read(),
-                solid_fields: fields.read(),
-                solid_blocks: blocks.read(),
+                solids: among.solids.read(),
+                solid_poses: among.poses.read(),
+                solid_fields: among.fields.read(),
+                solid_blocks: among.blocks.read(),
                 sorted_positions: sorted_positions.read(),
                 quantized_positions: quantized_positions.write(),
-                body_states: Some(body_states.read()),
-                reactions: Some(reactions.write()),
-                step_state: state.uniform(),
-                step_params: step_params.uniform(),
-                solids_params: params.uniform(),
+                body_states: Some(among.body_states.read()),
+                reactions: Some(among.reactions.write()),
+                step_state: among.state.uniform(),
+                step_params: among.step.uniform(),
+                solids_params: among.params.uniform(),
                 kernel: kernel.uniform(),
             },
             size,
         );
         let mut done = bench.run();
         let got = done.read(&quantized_positions, size);
-        let words = done.read(&reactions, states.len() * REACTION_WORDS as usize);
         let at_m = |quantized, near_m: DVec3| Quantization::Full.near(quantized, near_m / SUPPORT_M) * SUPPORT_M;
         let taken: Vec<(DVec3, DVec3)> = (0..size)
             .map(|i| (at_m(got[i], starts_m[i]), at_m(quantized[i], starts_m[i])))
             .map(|(now_m, was_m)| ((now_m - was_m) / f64::from(DT_S), now_m))
             .collect();
-        refused += usize::from(check(&mut worst, given(&words, &states), &taken));
+        refused += usize::from(check(&mut worst, among.given(&mut done), &taken));
     }
     ensure!(refused > 1, "{refused} sums would tell a twentieth more apart");
     worst.report(device);

@@ -10,7 +10,7 @@ use brooklet_kernels::{
     RigidBody, Solid, SolidContact, SolidPose, SolidsParams, StepBodies, StepParams, SurfacePoint,
 };
 
-use crate::scene::{Scene, bodies, surface_points};
+use crate::scene::{Scene, bodies, body_count, surface_point_count, surface_points};
 use crate::slots::Slots;
 
 /// The bodies of a scene.
@@ -50,8 +50,7 @@ pub(super) struct Around<'a> {
 impl Bodies {
     /// Those of a scene; none of one that has none.
     pub(super) fn declare(resources: &mut Resources, scene: &Scene) -> Option<Self> {
-        let count = bodies(scene).len() as u32;
-        let points = surface_points(scene).len() as u32;
+        let (count, points) = (body_count(scene), surface_point_count(scene));
         (count > 0).then(|| Self {
             bodies: resources.persistent("bodies", count),
             points: resources.persistent("surface_points", points),

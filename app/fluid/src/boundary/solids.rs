@@ -13,7 +13,7 @@ use brooklet_kernels::{
 };
 
 use super::bodies::{Around, Bodies, BodyBuffers};
-use crate::scene::{Scene, bodies, field_nodes, solids, surface_points};
+use crate::scene::{Scene, body_count, field_nodes, solids, surface_point_count};
 use crate::slots::Slots;
 
 /// Blocks along the longest side of the domain, at most.
@@ -56,8 +56,8 @@ pub fn solids_params(scene: &Scene) -> SolidsParams {
         reach_m: (path_m.max(2.0 * scene.support_m()) + scene.wall_offset_m()) as f32,
         block_m: block_m.map(|side_m| side_m as f32),
         stop_m: scene.wall_offset_m() as f32,
-        body_count: bodies(scene).len() as u32,
-        point_count: surface_points(scene).len() as u32,
+        body_count: body_count(scene),
+        point_count: surface_point_count(scene),
         units_per_m_s: units_per_m_s as f32,
         unit_kg_m_s: (scene.particle_mass_kg() / units_per_m_s) as f32,
     }

@@ -40,7 +40,7 @@ mod terms;
 mod tests;
 mod update;
 
-pub use bodies::{bodies, body_mass_kg, first_body_states, surface_points};
+pub use bodies::{bodies, body_count, body_mass_kg, first_body_states, surface_point_count, surface_points};
 pub use change::Change;
 pub use dfsph::DfsphSettings;
 pub use domain::Domain;

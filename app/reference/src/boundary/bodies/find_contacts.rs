@@ -67,7 +67,7 @@ pub fn contacts_of(
         };
         add(contact, velocity_m_s);
     }
-    for (_, other) in others.iter().enumerate().filter(|(index, _)| *index != point.solid) {
+    for other in others[..point.solid].iter().chain(&others[point.solid + 1..]) {
         let (distance_m, out) = other.solid.surface(other.pose.in_frame(point.at_m));
         let normal = other.pose.rotation * out;
         let at_m = point.at_m - normal * distance_m;
