@@ -1,8 +1,8 @@
-// Which particles a drain takes, and what becomes of their slots.
+// Which particles a drain takes.
 #ifndef BROOKLET_DRAIN
 #define BROOKLET_DRAIN
 
-#include "../shared/tag.hlsli"
+#include "../particles/deactivate.hlsli"
 #include "layout.hlsli"
 
 bool Drains(Drain drain, float3 position_m)
@@ -14,13 +14,6 @@ bool Drains(Drain drain, float3 position_m)
     }
     bool is_inside = all(position_m >= drain.min_m) && all(position_m <= drain.max_m);
     return is_inside != (drain.shape == DRAIN_OUTSIDE);
-}
-
-// The next sort, or compaction, puts the slot behind all particles.
-void Deactivate(inout Position position, inout Velocity velocity)
-{
-    position.tag |= INACTIVE_FLUID << FLUID_SHIFT;
-    velocity = (Velocity)0;
 }
 
 #endif

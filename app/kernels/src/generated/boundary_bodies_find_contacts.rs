@@ -96,5 +96,5 @@ static FIND_CONTACTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/find_contacts.compute",
-    hash: "78ce44e1f6b703d6cc4b3731ed063a8a4e057715b260636191436d94c2ae0fea",
+    hash: "e5d9a9bfe286f5d9fba5c60eb5cf076206cfdd9fea70323845127745a9a96b48",
 };

@@ -90,11 +90,11 @@ static STEP_BODIES: Module = Module {
     name: "StepBodies",
     entry: "StepBodies",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 23684 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 23668 },
     bindings: BINDINGS_0,
     group_size: [256, 1, 1],
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "d890b4af8b81262746f34021e66251bf8acf4a31f8f2616202ba284cec652fe5",
+    hash: "8d3c74015eaf8796243bd13df9d733b817a3363744f049d1a525430fbbf7cec6",
 };

@@ -93,5 +93,5 @@ static SAMPLE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "dbe272d6313d747e0d7ee7f8a9d0293b46806cf1fdb1dc021227f07df04feebd",
+    hash: "ea7696dc370433b156f91335fbcab6b2f18d35b8a9a3e0e8e941287da2df2f66",
 };

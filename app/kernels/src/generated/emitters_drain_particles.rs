@@ -84,5 +84,5 @@ static DRAIN_PARTICLES: Module = Module {
     shared_bytes: 4,
     tier: Tier::Floor,
     source: "emitters/drain_particles.compute",
-    hash: "b62bc02603147e7c250dd26c9c2e657296ac066193e98a3c01423cad574c6e57",
+    hash: "1b1168ea14e7bd683f81a110ef049d161f64206100b7bf316f3ac1758d9534c2",
 };

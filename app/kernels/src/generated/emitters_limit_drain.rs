@@ -195,7 +195,7 @@ static MARK_DRAINED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/limit_drain.compute",
-    hash: "949bf1de178a3aff6887a8a9abfc782d288d2511a72b03afd22e5b648a39361f",
+    hash: "07a32d2a08e5676fe598023741de620ef17085eefe981a1fd70e0475a76c0f3f",
 };
 
 static TAKE_DRAINED: Module = Module {
@@ -208,7 +208,7 @@ static TAKE_DRAINED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/limit_drain.compute",
-    hash: "a9721fd8088692ba50a7750fb6c89c10070aaef5fd45b2107bfb714009253001",
+    hash: "bbf52b7a98af901a33394960e6ed8006b03ede76d608ea0cdf67dd666fb20667",
 };
 
 static SETTLE_DRAIN: Module = Module {
@@ -221,5 +221,5 @@ static SETTLE_DRAIN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/limit_drain.compute",
-    hash: "18595add12a1af470c1f8ca86ed7e6e56ba84d6267786c1c65ca40a711e73c01",
+    hash: "c883af27601e0228130ea23e59b00fb9dd89312cc545c05030abf589f24fb032",
 };

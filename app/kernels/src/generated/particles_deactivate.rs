@@ -8,7 +8,7 @@ use crate::{
     bind,
 };
 
-/// Empties the slots of the particles in a box. The next sort puts them behind all others, where they can be filled.
+/// Empties the slots of the particles in a box.
 #[derive(Debug)]
 pub struct DeactivateParticles<'a> {
     /// `RWStructuredBuffer<Position> positions`.
@@ -71,5 +71,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "3fe788b918281f09a6233724ba0b1ce0ed78a290bc27762138ff2af62114dbf8",
+    hash: "ccbb3635da4636a93e35e3b2c706ac5ff4ab73ee6fe5531b3fa4b2f47bbd3850",
 };
