@@ -3,6 +3,7 @@
 //!
 //! A benchmark is a function of a device, some options and an [`Observer`]; what it gives is plain data.
 
+pub mod bodies;
 pub mod bounds;
 mod error;
 pub mod figures;

@@ -49,6 +49,8 @@ pub struct BenchOptions {
 /// What else `brooklet bench` times.
 #[derive(Clone, Debug, Subcommand)]
 pub enum BenchStudy {
+    /// What solids and bodies add to a step: a pool with neither, with 100 solids, with 16 bodies, in turns
+    Bodies(BodiesOptions),
     /// The rows of the source papers' tables, by every solver, each beside the paper's own figure and its card
     Papers(PapersOptions),
     /// Ways to sort the particles: the product's against others, in pairs
@@ -63,6 +65,26 @@ pub enum BenchStudy {
     /// How soon and how fast scenes move in a window on this device, and what is given up for it; opens no window
     #[cfg(feature = "window")]
     Ladder(LadderOptions),
+}
+
+/// `brooklet bench bodies`.
+#[derive(Clone, Debug, Args)]
+pub struct BodiesOptions {
+    /// About how many particles
+    #[arg(long, value_name = "N", default_value_t = 125_000, value_parser = clap::value_parser!(u32).range(4096..=4_000_000))]
+    pub particles: u32,
+    /// Rounds; in each every scene has 4 steps
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub rounds: u32,
+    /// Change a value of every scene, as solver.method=dfsph; may be given again
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub settings: Vec<String>,
+    /// The device.
+    #[command(flatten)]
+    pub device: DeviceOptions,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `brooklet bench ladder`.

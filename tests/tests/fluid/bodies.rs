@@ -6,18 +6,26 @@ use brooklet_fluid::state::State;
 use brooklet_fluid::{BodyMotion, ParticleSource, Scene, Session, SessionRecorder};
 use brooklet_kernels::BodyState;
 use brooklet_tests::{gpu, small};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 fn vector(of: [f32; 3]) -> DVec3 {
     DVec3::from_array(of.map(f64::from))
 }
 
+const FLAT_BOX: &str = "box = { size_m = [0.2, 0.1, 0.2] }";
+const FLAT_HULL: &str = "hull = { points_m = [[-0.1, -0.05, -0.1], [0.1, -0.05, -0.1], [-0.1, 0.05, -0.1], [0.1, 0.05, -0.1], \
+    [-0.1, -0.05, 0.1], [0.1, -0.05, 0.1], [-0.1, 0.05, 0.1], [0.1, 0.05, 0.1]] }";
+
 /// A flat box in a pool, afloat where it will be.
 fn floating(density_kg_m3: f64, method: &str) -> Scene {
+    floating_as(FLAT_BOX, density_kg_m3, method)
+}
+
+fn floating_as(shape: &str, density_kg_m3: f64, method: &str) -> Scene {
     let text = format!(
         "spacing_m = 0.025\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.4, 0.3, 0.4]\n\
          [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.4, 0.15, 0.4] }}\n\
-         [[solid]]\nbox = {{ size_m = [0.2, 0.1, 0.2] }}\ncentre_m = [0.2, {}, 0.2]\ndensity_kg_m3 = {density_kg_m3}\n\
+         [[solid]]\n{shape}\ncentre_m = [0.2, {}, 0.2]\ndensity_kg_m3 = {density_kg_m3}\n\
          [solver]\nmethod = \"{method}\"\n[outputs]\nmeasure_every_steps = 1\n",
         0.2 - 0.1 * density_kg_m3 / 1000.0,
     );
@@ -91,6 +99,73 @@ fn momentum_goes_from_fluid_to_body_in_free_space() {
         assert!(off < 0.01, "{method}: {first} became {fluid} and {body}");
         assert!(small() || body.x > 0.1 * before, "{method}: the body took {body} of {before}");
     }
+}
+
+/// The same box, as the hull of its corners and as a shape of its own.
+#[test]
+fn a_hull_floats_as_deep_as_the_box_that_it_is() {
+    let (of_box, of_hull) = (floating(500.0, "pbf"), floating_as(FLAT_HULL, 500.0, "pbf"));
+    let [one, other] = [&of_box, &of_hull].map(|scene| brooklet_fluid::scene::bodies(scene)[0]);
+    assert!((one.inverse_mass_per_kg / other.inverse_mass_per_kg - 1.0).abs() < 1e-6);
+    for (one, other) in one.inertia_kg_m2.iter().zip(other.inertia_kg_m2) {
+        assert!((one / other - 1.0).abs() < 1e-5, "{one} and {other}");
+    }
+    if small() {
+        return;
+    }
+    let mut session = Session::new(&gpu(), &of_hull).unwrap();
+    let mut drafts_m = Vec::new();
+    for step in 0..160 {
+        session.step().unwrap();
+        if step >= 100 && step % 10 == 0 {
+            drafts_m.push(draft_m(&of_hull, &session.read_bodies().unwrap().states[0]));
+        }
+    }
+    let draft_m = drafts_m.iter().sum::<f64>() / drafts_m.len() as f64;
+    println!("draft {draft_m:.4} m");
+    assert!((draft_m - 0.05).abs() < 0.00625, "{draft_m} m: more than a quarter of a spacing off");
+}
+
+/// Without fluid, by a small angle: T = 2 pi sqrt(I / (m g d)).
+#[test]
+fn a_body_on_a_hinge_swings_as_a_compound_pendulum() {
+    let text = "spacing_m = 0.05\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n\
+         [[fluid]]\nblock = { min_m = [0.9, 0.9, 0.9], max_m = [0.95, 0.95, 0.95] }\n\
+         [[solid]]\nbox = { size_m = [0.06, 0.4, 0.2] }\nturned_deg = [0, 0, 6]\ncentre_m = [0.5, 0.5, 0.5]\n\
+         density_kg_m3 = 800\nhinge = { axis = [0, 0, 2], at_m = [HX, HY, 0.4] }\n\
+         [solver]\nmethod = \"none\"\n";
+    // On its top edge's middle.
+    let arm_m = DQuat::from_rotation_z(6_f64.to_radians()) * DVec3::new(0.0, 0.2, 0.0);
+    let text = text.replace("HX", &(0.5 + arm_m.x).to_string()).replace("HY", &(0.5 + arm_m.y).to_string());
+    let scene = Scene::from_toml(&text, "pendulum", &[]).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let dt_s = scene.solver.dt_s;
+    let squared_m2 = (0.06 * 0.06 + 0.4 * 0.4) / 12.0 + 0.2 * 0.2;
+    let period_s = std::f64::consts::TAU * (squared_m2 / (9.81 * 0.2_f64)).sqrt();
+    let angle = |session: &mut Session| {
+        session.step().unwrap();
+        let state = session.read_bodies().unwrap().states[0];
+        let place_m = vector(state.position_m) - (DVec3::new(0.5, 0.5, 0.5) + arm_m).with_z(0.5);
+        assert!((place_m.length() - 0.2).abs() < 1e-5, "the hinge lets go: {}", place_m.length());
+        assert!((f64::from(state.position_m[2]) - 0.5).abs() < 1e-6 && state.rotation[0].abs() < 1e-6, "{state:?}");
+        place_m.x.atan2(-place_m.y)
+    };
+    let steps = if small() { 20 } else { (2.2 * period_s / dt_s) as usize };
+    let angles: Vec<f64> = (0..steps).map(|_| angle(&mut session)).collect();
+    if small() {
+        return;
+    }
+    // Where it swings through its lowest place, in one direction.
+    let crossings: Vec<f64> = angles
+        .windows(2)
+        .enumerate()
+        .filter(|(_, pair)| pair[0] < 0.0 && pair[1] >= 0.0 || pair[0] > 0.0 && pair[1] <= 0.0)
+        .map(|(step, pair)| (step as f64 + pair[0] / (pair[0] - pair[1])) * dt_s)
+        .collect();
+    let measured_s = crossings[2] - crossings[0];
+    println!("{measured_s} s, {period_s} s expected");
+    // A swing of 6 degrees takes .07 % longer, a step of semi-implicit Euler (w dt)²/24 less.
+    assert!((measured_s / period_s - 1.0).abs() < 0.003, "{measured_s} s, not {period_s}");
 }
 
 /// Without fluid: a ball falls on a box that lies on the floor, and both come to rest on each other.

@@ -16,9 +16,9 @@ use brooklet_kernels::{
 };
 use brooklet_reference::boundary::bodies::find_contacts::{self, Other, contacts_of};
 use brooklet_reference::boundary::bodies::step_bodies::{Reaction, Substep, step_bodies};
-use brooklet_reference::boundary::bodies::{self as twin, Body};
+use brooklet_reference::boundary::bodies::{self as twin, Body, Hinge};
 use brooklet_reference::boundary::solids::{Pose, Solid as TwinSolid};
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use rand::{Rng, RngExt};
 
 /// Bodies of every shape among solids that stand and move, close together.
@@ -58,6 +58,22 @@ friction = 0.6
 sphere = { radius_m = 0.05 }
 centre_m = [0.12, 0.1, 0.8]
 density_kg_m3 = 100
+[[solid]]
+hull = { points_m = [[0, 0, 0], [0.2, 0, 0.02], [0.03, 0.15, 0], [0, 0.02, 0.1]] }
+centre_m = [0.25, 0.03, 0.6]
+density_kg_m3 = 800
+friction = 0.3
+[[solid]]
+box = { size_m = [0.1, 0.3, 0.1] }
+turned_deg = [0, 0, 20]
+centre_m = [0.3, 0.5, 0.3]
+density_kg_m3 = 500
+hinge = { axis = [0, 0.2, 1], at_m = [0.32, 0.6, 0.3] }
+[[solid]]
+wheel = { radius_m = 0.14, width_m = 0.1, paddles = 6, paddle_m = 0.04 }
+centre_m = [0.75, 0.17, 0.8]
+density_kg_m3 = 600
+hinge = { axis = [0, 0, 1] }
 [solver]
 method = "none"
 max_speed_m_s = 6
@@ -82,16 +98,30 @@ fn case(rng: &mut impl Rng) -> Case {
     let scene = Scene::from_toml(SCENE, "bodies", &[]).or_raise();
     let (solids, keyframes) = solids(&scene);
     let mut one = |most: f64| DVec3::from_array(std::array::from_fn(|_| most * (rng.random::<f64>() * 2.0 - 1.0)));
+    let bodies = bodies(&scene);
     let mut states = first_body_states(&scene);
-    for state in &mut states {
+    for (state, body) in states.iter_mut().zip(&bodies) {
+        let first_rotation = state.rotation;
         state.position_m = single(vector(state.position_m) + one(0.006));
         state.rotation = (DQuat::from_scaled_axis(one(0.05)) * quaternion(state.rotation)).as_quat().to_array();
         state.velocity_m_s = single(one(1.5));
         state.spin_rad_s = single(one(4.0));
         state.owed_kg_m_s = single(one(0.02));
         state.owed_kg_m2_s = single(one(0.001));
+        if body.hinge_inertia_kg_m2 > 0.0 {
+            // Turned around its hinge by what it may be.
+            let axis = vector(body.hinge_axis).normalize();
+            let turn = DQuat::from_axis_angle(axis, vector(state.spin_rad_s).dot(axis) * 0.01);
+            let arm_m = vector(body.centre_of_mass_m) - vector(body.hinge_place_m);
+            let rotation = turn * quaternion(first_rotation);
+            state.rotation = rotation.as_quat().to_array();
+            state.position_m = single(vector(body.hinge_m) + rotation * arm_m);
+            state.spin_rad_s = single(axis * axis.dot(vector(state.spin_rad_s)));
+            state.velocity_m_s = single(vector(state.spin_rad_s).cross(rotation * arm_m));
+            state.owed_kg_m_s = [0.0; 3];
+            state.owed_kg_m2_s = single(axis * axis.dot(vector(state.owed_kg_m2_s)));
+        }
     }
-    let bodies = bodies(&scene);
     let mut poses: Vec<SolidPose> = solids
         .iter()
         .map(|solid| {
@@ -136,11 +166,22 @@ fn twin_body(body: &RigidBody) -> Body {
     Body {
         centre_of_mass_m: vector(body.centre_of_mass_m),
         mass_kg: 1.0 / f64::from(body.inverse_mass_per_kg),
-        inertia_kg_m2: vector(body.inertia_kg_m2),
+        inertia_kg_m2: tensor(body.inertia_kg_m2, body.products_kg_m2),
         added_mass_kg: body.added_mass_kg.into(),
-        added_inertia_kg_m2: vector(body.added_inertia_kg_m2),
+        added_inertia_kg_m2: tensor(body.added_inertia_kg_m2, body.added_products_kg_m2),
         wet_per_push: body.wet_per_push.into(),
+        hinge: (body.hinge_inertia_kg_m2 > 0.0).then(|| Hinge {
+            at_m: vector(body.hinge_m),
+            axis: vector(body.hinge_axis).normalize(),
+            place_m: vector(body.hinge_place_m),
+            added_kg_m2: body.hinge_added_kg_m2.into(),
+        }),
     }
+}
+
+fn tensor(moments: [f32; 3], products: [f32; 3]) -> DMat3 {
+    let ([xx, yy, zz], [xy, yz, zx]) = (moments.map(f64::from), products.map(f64::from));
+    DMat3::from_cols_array_2d(&[[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
 }
 
 fn named(body: u32) -> Option<usize> {
@@ -341,7 +382,7 @@ fn check_step(device: &Device, rng: &mut impl Rng, share: f64, worst: &mut Worst
     let expected = step_bodies(&twins, &before, &given, &touching, &substep);
     for (b, (got, expected)) in got.iter().zip(&expected).enumerate() {
         let body = &twins[b];
-        let arm_m = (body.inertia_kg_m2.max_element() / body.mass_kg).sqrt();
+        let arm_m = (body.inertia_kg_m2.x_axis.x / body.mass_kg).sqrt();
         worst.check3(got.velocity_m_s, expected.velocity_m_s, 2.0)?;
         worst.check3(got.spin_rad_s, expected.spin_rad_s, 2.0 / arm_m)?;
         worst.check3(got.position_m, expected.position_m, 1.0)?;

@@ -1,5 +1,6 @@
 //! `brooklet bench`: the time of every pass, of one scene or of one workload at rising sizes.
 
+mod bodies;
 #[cfg(feature = "window")]
 mod ladder;
 #[cfg(feature = "window")]
@@ -21,7 +22,9 @@ use brooklet_gpu::Gpu;
 use serde::Serialize;
 
 use crate::{
-    bench_options::{BenchOptions, BenchStudy, PapersOptions, SortingOptions, SubmissionsOptions, SurfacesOptions},
+    bench_options::{
+        BenchOptions, BenchStudy, BodiesOptions, PapersOptions, SortingOptions, SubmissionsOptions, SurfacesOptions,
+    },
     commit::COMMIT,
     failure::Failure,
     job, out_dir,
@@ -32,6 +35,7 @@ use terminal::watched;
 /// Runs and prints the benchmark that is asked for.
 pub fn bench(options: &BenchOptions) -> Result<(), Failure> {
     match (&options.study, &options.scene) {
+        (Some(BenchStudy::Bodies(options)), _) => bench_bodies(options),
         (Some(BenchStudy::Papers(options)), _) => bench_papers(options),
         (Some(BenchStudy::Sorting(options)), _) => bench_sorting(options),
         (Some(BenchStudy::Submissions(options)), _) => bench_submissions(options),
@@ -72,6 +76,17 @@ fn bench_sizes(options: &BenchOptions) -> Result<(), Failure> {
         out_dir::write_file(path, table.to_svg()?.as_bytes())?;
     }
     show(options.json, &table, scaling::print)
+}
+
+fn bench_bodies(options: &BodiesOptions) -> Result<(), Failure> {
+    let gpu = open(&options.device)?;
+    let wanted = timed::bodies::Options {
+        settings: options.settings.clone(),
+        particles: options.particles,
+        rounds: options.rounds,
+    };
+    let cost = watched(|terminal| timed::bodies::run(&gpu, &wanted, terminal))?;
+    show(options.json, &cost, bodies::print)
 }
 
 fn bench_papers(options: &PapersOptions) -> Result<(), Failure> {

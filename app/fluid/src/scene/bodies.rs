@@ -4,7 +4,8 @@
 use std::f64::consts::{PI, TAU};
 
 use brooklet_kernels::{BodyState, MAX_BODIES, RigidBody, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, SurfacePoint};
-use glam::{DQuat, DVec3};
+use brooklet_shapes::MassProperties;
+use glam::{DMat3, DQuat, DVec3};
 
 use super::solid_shapes::{cavity_m, from_shape_m, halves, motion};
 use super::{Scene, SolidSettings};
@@ -14,17 +15,9 @@ pub(super) const MOST_BODIES: usize = MAX_BODIES as usize;
 /// Points around a rim.
 const RIM_POINTS: u32 = 12;
 
-/// A filled part of a shape: its volume (m³), middle, and inertia about that per kg/m³, along the frame's axes.
-#[derive(Clone, Copy, Debug)]
-struct Filled {
-    volume_m3: f64,
-    middle_m: DVec3,
-    inertia_m5: DVec3,
-}
-
-/// Of a shape between two corners.
-fn filled(shape: u32, min_m: DVec3, max_m: DVec3) -> Filled {
-    let (half_m, middle_m) = (0.5 * (max_m - min_m), 0.5 * (min_m + max_m));
+/// Of a shape between two corners, for a density of 1 kg/m³.
+fn filled(shape: u32, min_m: DVec3, max_m: DVec3) -> MassProperties {
+    let (half_m, centre_of_mass_m) = (0.5 * (max_m - min_m), 0.5 * (min_m + max_m));
     let squares = half_m * half_m;
     let (volume_m3, inertia_m5) = match shape {
         SHAPE_BOX => {
@@ -42,40 +35,32 @@ fn filled(shape: u32, min_m: DVec3, max_m: DVec3) -> Filled {
             (round_m3 + ball_m3, cylinder + DVec3::new(apart, 0.4 * ball_m3 * squares.x, apart))
         }
     };
-    Filled { volume_m3, middle_m, inertia_m5 }
+    MassProperties { volume_m3, centre_of_mass_m, inertia_m5: DMat3::from_diagonal(inertia_m5) }
 }
 
-/// What a solid's mass is made of, for a density of 1 kg/m³.
+/// What a body is made of.
 #[derive(Clone, Copy, Debug)]
-struct MassProperties {
-    volume_m3: f64,
-    centre_of_mass_m: DVec3,
-    /// About that.
-    inertia_m5: DVec3,
-    /// What it displaces if nothing fills its cavity: its shape.
-    outer: Filled,
+struct Matter {
+    /// For a density of 1 kg/m³.
+    mass: MassProperties,
+    /// The same of what it displaces if nothing fills its cavity: its shape.
+    outer: MassProperties,
     /// Of the shape, m².
     area_m2: f64,
     /// The largest of its faces, m².
     largest_face_m2: f64,
 }
 
-/// Of a shape as `Solid::half_m` has it, with a cavity.
-fn mass_properties(solid: &SolidSettings) -> MassProperties {
+/// Of a shape as `Solid::half_m` has it, with a cavity; or of triangles.
+fn matter(solid: &SolidSettings) -> Matter {
+    if let Some(triangles) = solid.triangles() {
+        let (mass, mesh) = (triangles.mass_properties(), &triangles.solid);
+        return Matter { mass, outer: mass, area_m2: mesh.area_m2(), largest_face_m2: mesh.largest_shadow_m2() };
+    }
     let (shape, half_m, _) = halves(solid);
     let outer = filled(shape, -half_m, half_m);
     let cavity = cavity_m(solid).map(|[min_m, max_m]| filled(shape, min_m.max(-half_m), max_m.min(half_m)));
-    let hollow_m3 = cavity.map_or(0.0, |cavity| cavity.volume_m3);
-    let volume_m3 = outer.volume_m3 - hollow_m3;
-    let hollow_m4 = cavity.map_or(DVec3::ZERO, |cavity| cavity.volume_m3 * cavity.middle_m);
-    let centre_of_mass_m = -hollow_m4 / volume_m3;
-    // Huygens and Steiner.
-    let about = |part: &Filled| {
-        let squares = (part.middle_m - centre_of_mass_m).powf(2.0);
-        let apart = DVec3::new(squares.y + squares.z, squares.x + squares.z, squares.x + squares.y);
-        part.inertia_m5 + part.volume_m3 * apart
-    };
-    let inertia_m5 = about(&outer) - cavity.as_ref().map_or(DVec3::ZERO, about);
+    let mass = cavity.map_or(outer, |cavity| without(&outer, &cavity));
     let (area_m2, largest_face_m2) = match shape {
         SHAPE_BOX => {
             let faces = 4.0 * DVec3::new(half_m.y * half_m.z, half_m.x * half_m.z, half_m.x * half_m.y);
@@ -88,12 +73,28 @@ fn mass_properties(solid: &SolidSettings) -> MassProperties {
             (side_m2 + ends_m2, end_m2.max(4.0 * half_m.x * half_m.y))
         }
     };
-    MassProperties { volume_m3, centre_of_mass_m, inertia_m5, outer, area_m2, largest_face_m2 }
+    Matter { mass, outer, area_m2, largest_face_m2 }
+}
+
+/// What is left of a whole.
+fn without(whole: &MassProperties, part: &MassProperties) -> MassProperties {
+    let volume_m3 = whole.volume_m3 - part.volume_m3;
+    let first_m4 = whole.volume_m3 * whole.centre_of_mass_m - part.volume_m3 * part.centre_of_mass_m;
+    let centre_of_mass_m = first_m4 / volume_m3;
+    let inertia_m5 = whole.inertia_about_m5(centre_of_mass_m) - part.inertia_about_m5(centre_of_mass_m);
+    MassProperties { volume_m3, centre_of_mass_m, inertia_m5 }
+}
+
+/// Moments and products of a symmetric tensor as shaders have them.
+fn moments_and_products(of: DMat3) -> ([f32; 3], [f32; 3]) {
+    let moments = DVec3::new(of.x_axis.x, of.y_axis.y, of.z_axis.z);
+    let products = DVec3::new(of.x_axis.y, of.y_axis.z, of.z_axis.x);
+    (moments.as_vec3().to_array(), products.as_vec3().to_array())
 }
 
 /// A body's mass, kg; of a solid that is none 0.
 pub fn body_mass_kg(solid: &SolidSettings) -> f64 {
-    solid.density_kg_m3.map_or(0.0, |density_kg_m3| density_kg_m3 * mass_properties(solid).volume_m3)
+    solid.density_kg_m3.map_or(0.0, |density_kg_m3| density_kg_m3 * matter(solid).mass.volume_m3)
 }
 
 /// The solids of a scene that are bodies, with their places among the solids.
@@ -116,35 +117,67 @@ pub fn surface_point_count(scene: &Scene) -> u32 {
 pub fn bodies(scene: &Scene) -> Vec<RigidBody> {
     let rest_density_kg_m3 = scene.rest_density_kg_m3();
     let of = |(index, solid, density_kg_m3): (usize, &SolidSettings, f64)| {
-        let mass = mass_properties(solid);
+        let matter = matter(solid);
+        let (mass, outer) = (matter.mass, matter.outer);
         // A disc that moves along its axis takes 8/3 r³ along (Lamb 1932, art. 108), of which half is enough.
-        let disc_m3 = 4.0 / 3.0 * (mass.largest_face_m2 / PI).powf(1.5);
+        let disc_m3 = 4.0 / 3.0 * (matter.largest_face_m2 / PI).powf(1.5);
+        let (inertia_kg_m2, products_kg_m2) = moments_and_products(mass.inertia_m5 * density_kg_m3);
+        let (added_inertia_kg_m2, added_products_kg_m2) = moments_and_products(outer.inertia_m5 * rest_density_kg_m3);
         RigidBody {
             centre_of_mass_m: mass.centre_of_mass_m.as_vec3().to_array(),
             inverse_mass_per_kg: (1.0 / (density_kg_m3 * mass.volume_m3)) as f32,
-            inertia_kg_m2: (density_kg_m3 * mass.inertia_m5).as_vec3().to_array(),
-            added_mass_kg: (rest_density_kg_m3 * mass.outer.volume_m3.max(disc_m3)) as f32,
-            added_inertia_kg_m2: (rest_density_kg_m3 * mass.outer.inertia_m5).as_vec3().to_array(),
-            wet_per_push: (scene.fitted_spacing_m().powi(2) / mass.area_m2) as f32,
+            inertia_kg_m2,
+            products_kg_m2,
+            added_mass_kg: (rest_density_kg_m3 * outer.volume_m3.max(disc_m3)) as f32,
+            added_inertia_kg_m2,
+            added_products_kg_m2,
+            wet_per_push: (scene.fitted_spacing_m().powi(2) / matter.area_m2) as f32,
             solid: index as u32,
-            ..RigidBody::default()
+            ..hinged(scene, solid, &matter, density_kg_m3)
         }
     };
     body_solids(scene).map(of).collect()
+}
+
+/// What a hinge makes of a body; nothing of a free one.
+fn hinged(scene: &Scene, solid: &SolidSettings, matter: &Matter, density_kg_m3: f64) -> RigidBody {
+    let Some(hinge) = solid.hinge else { return RigidBody::default() };
+    let (centre_m, rotation) = beginning(solid);
+    let axis = DVec3::from_array(hinge.axis).normalize();
+    let hinge_m = hinge.at_m.map_or(centre_m, DVec3::from_array);
+    let place_m = rotation.conjugate() * (hinge_m - centre_m);
+    let axis_in_frame = rotation.conjugate() * axis;
+    let around_m5 = |of: &MassProperties| axis_in_frame.dot(of.inertia_about_m5(place_m) * axis_in_frame);
+    RigidBody {
+        hinge_m: (hinge_m - DVec3::from_array(scene.domain.min_m)).as_vec3().to_array(),
+        hinge_inertia_kg_m2: (density_kg_m3 * around_m5(&matter.mass)) as f32,
+        hinge_axis: axis.as_vec3().to_array(),
+        hinge_added_kg_m2: (scene.rest_density_kg_m3() * around_m5(&matter.outer)) as f32,
+        hinge_place_m: place_m.as_vec3().to_array(),
+        ..RigidBody::default()
+    }
+}
+
+/// Where a body's middle begins, in the scene's coordinates, and how it is turned.
+fn beginning(solid: &SolidSettings) -> (DVec3, DQuat) {
+    motion(solid).0.first().map_or((DVec3::ZERO, DQuat::IDENTITY), |pose| (pose.centre_m, pose.rotation))
 }
 
 /// How the bodies begin, relative to the domain's lowest corner.
 pub fn first_body_states(scene: &Scene) -> Vec<BodyState> {
     let origin_m = DVec3::from_array(scene.domain.min_m);
     let of = |(_, solid, _): (usize, &SolidSettings, f64)| {
-        let (centre_m, rotation) =
-            motion(solid).0.first().map_or((DVec3::ZERO, DQuat::IDENTITY), |pose| (pose.centre_m, pose.rotation));
-        let position_m = centre_m + rotation * mass_properties(solid).centre_of_mass_m - origin_m;
+        let (centre_m, rotation) = beginning(solid);
+        let position_m = centre_m + rotation * matter(solid).mass.centre_of_mass_m;
+        let spin_rad_s = DVec3::from_array(solid.spin_deg_s.map(f64::to_radians));
+        let hinge_m = solid.hinge.map(|hinge| hinge.at_m.map_or(centre_m, DVec3::from_array));
+        let velocity_m_s =
+            hinge_m.map_or(DVec3::from_array(solid.velocity_m_s), |at_m| spin_rad_s.cross(position_m - at_m));
         BodyState {
-            position_m: position_m.as_vec3().to_array(),
+            position_m: (position_m - origin_m).as_vec3().to_array(),
             rotation: rotation.as_quat().to_array(),
-            velocity_m_s: solid.velocity_m_s.map(|v| v as f32),
-            spin_rad_s: solid.spin_deg_s.map(|w| w.to_radians() as f32),
+            velocity_m_s: velocity_m_s.as_vec3().to_array(),
+            spin_rad_s: spin_rad_s.as_vec3().to_array(),
             ..BodyState::default()
         }
     };
@@ -169,6 +202,9 @@ pub fn surface_points(scene: &Scene) -> Vec<SurfacePoint> {
 
 /// Balls on a solid's surface, in its frame: place and radius, m. None where an open one has no surface.
 pub(super) fn points_of(solid: &SolidSettings) -> Vec<(DVec3, f64)> {
+    if let Some(triangles) = solid.triangles() {
+        return triangles.points_m().iter().map(|&place_m| (place_m, 0.0)).collect();
+    }
     let (shape, half_m, extent_m) = halves(solid);
     let along =
         |half_m: f64, count: u32| (0..count).map(move |k| half_m * (2.0 * f64::from(k) / f64::from(count - 1) - 1.0));
@@ -255,14 +291,15 @@ mod tests {
     fn inertia_is_that_of_a_grid_of_points() {
         for solid in solids() {
             let (volume_m3, middle_m, inertia_m5) = summed(&solid);
-            let mass = mass_properties(&solid);
+            let mass = matter(&solid).mass;
+            let moments = DVec3::from_array(moments_and_products(mass.inertia_m5).0.map(f64::from));
             assert!((mass.volume_m3 / volume_m3 - 1.0).abs() < 0.015, "{solid:?}: {} and {volume_m3}", mass.volume_m3);
             assert!(
                 mass.centre_of_mass_m.distance(middle_m) < 0.005,
                 "{solid:?}: {} and {middle_m}",
                 mass.centre_of_mass_m
             );
-            let off = (mass.inertia_m5 / inertia_m5 - 1.0).abs();
+            let off = (moments / inertia_m5 - 1.0).abs();
             assert!(off.max_element() < 0.015, "{solid:?}: {} and {inertia_m5}", mass.inertia_m5);
         }
     }

@@ -1,9 +1,9 @@
 //! The triangles of solids, made or read once, and their distance fields, made once for each spacing.
 
 use std::fmt::{Debug, Formatter};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
-use brooklet_shapes::{Field, FieldOptions, Mesh, Repairs};
+use brooklet_shapes::{Field, FieldOptions, MassProperties, Mesh, Repairs};
 use glam::DVec3;
 
 use super::{Scene, SolidSettings};
@@ -12,6 +12,9 @@ use super::{Scene, SolidSettings};
 const MOST_KEPT: usize = 4;
 /// Fields that a form keeps.
 const MOST_FIELDS: usize = 2;
+/// Points that a body touches others with: no nearer to each other than this share of its longest side, and at most so many.
+const POINTS_APART: f64 = 0.1;
+const MOST_POINTS: usize = 96;
 
 /// The triangles of a solid.
 pub struct Triangles {
@@ -22,11 +25,14 @@ pub struct Triangles {
     /// What was repaired.
     pub repairs: Repairs,
     fields: Mutex<Vec<(FieldOptions, Arc<Field>)>>,
+    mass: OnceLock<MassProperties>,
+    points_m: OnceLock<Vec<DVec3>>,
 }
 
 impl Triangles {
     pub(super) fn new(solid: Mesh, drawn: Option<Mesh>, repairs: Repairs) -> Self {
-        Self { solid, drawn, repairs, fields: Mutex::default() }
+        let (mass, points_m) = (OnceLock::new(), OnceLock::new());
+        Self { solid, drawn, repairs, fields: Mutex::default(), mass, points_m }
     }
 
     pub(super) fn field(&self, options: &FieldOptions) -> Arc<Field> {
@@ -40,6 +46,19 @@ impl Triangles {
         }
         fields.push((*options, Arc::clone(&field)));
         field
+    }
+
+    /// Of a body of it.
+    pub(super) fn mass_properties(&self) -> MassProperties {
+        *self.mass.get_or_init(|| self.solid.mass_properties())
+    }
+
+    /// What a body of it touches others with, m.
+    pub(super) fn points_m(&self) -> &[DVec3] {
+        self.points_m.get_or_init(|| {
+            let [low_m, high_m] = self.solid.bounds_m();
+            self.solid.spread_points_m(POINTS_APART * (high_m - low_m).max_element(), MOST_POINTS)
+        })
     }
 
     /// Half the sides of the box around its origin that holds it.
@@ -97,6 +116,7 @@ impl SolidSettings {
         let given = [
             self.mesh.as_ref().and_then(|mesh| mesh.cell_m),
             self.hull.as_ref().and_then(|hull| hull.cell_m),
+            self.wheel.and_then(|wheel| wheel.cell_m),
             self.terrain.as_ref().and_then(|terrain| terrain.cell_m),
         ];
         // Ground is smooth, and thick.

@@ -1,6 +1,6 @@
 //! Solids that are triangles: what a scene says of them.
 
-use brooklet_shapes::ReliefKind;
+use brooklet_shapes::{ReliefKind, Wheel};
 use serde::{Deserialize, Serialize};
 
 /// A closed mesh of a file; with a `thickness_m` of its solid a sheet, which may be open.
@@ -35,6 +35,42 @@ pub struct HullShape {
     /// Between two nodes of its distance field, m. Default: half a spacing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cell_m: Option<f64>,
+}
+
+/// A wheel with paddles around z.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct WheelShape {
+    /// To the ends of its paddles, m.
+    pub radius_m: f64,
+    /// Along z, m.
+    pub width_m: f64,
+    /// How many paddles.
+    #[serde(default = "eight")]
+    pub paddles: u32,
+    /// Of its hub, m. Default: a third of its radius.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hub_radius_m: Option<f64>,
+    /// How thick a paddle is, m. Default: a tenth of its radius.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub paddle_m: Option<f64>,
+    /// Between two nodes of its distance field, m. Default: half a spacing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cell_m: Option<f64>,
+}
+
+impl WheelShape {
+    /// What its triangles are made of.
+    pub(super) fn wheel(&self) -> Wheel {
+        Wheel {
+            radius_m: self.radius_m,
+            width_m: self.width_m,
+            paddles: self.paddles,
+            hub_radius_m: self.hub_radius_m.unwrap_or(self.radius_m / 3.0),
+            paddle_m: self.paddle_m.unwrap_or(0.1 * self.radius_m),
+        }
+    }
 }
 
 /// Ground around the solid's `centre_m`, which is at its lowest height: of a file, or by a formula.
@@ -95,4 +131,8 @@ impl From<Relief> for ReliefKind {
 
 fn one() -> f64 {
     1.0
+}
+
+fn eight() -> u32 {
+    8
 }

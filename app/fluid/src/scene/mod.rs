@@ -56,7 +56,7 @@ pub use fill::{MAX_FLUIDS, MAX_PARTICLES};
 pub use forces::{FieldSettings, Forces};
 pub use forms::{Form, Triangles, field_nodes};
 pub(crate) use lattice::{WHOLE, steps_m};
-pub use mesh_shapes::{HullShape, MeshShape, Relief, TerrainShape};
+pub use mesh_shapes::{HullShape, MeshShape, Relief, TerrainShape, WheelShape};
 pub use none::NoneSettings;
 pub use panel::Setting;
 pub use pbf::{Acceleration, PbfSettings};
@@ -64,7 +64,9 @@ pub use pbf::{Acceleration, PbfSettings};
 pub use schema::schema;
 pub use shipped::shipped_scenes;
 pub use solid_shapes::{poses_before, solids};
-pub use solids::{BoxShape, KeyframeSettings, OpenFaces, RoundShape, Shape, SolidLook, SolidSettings, SphereShape};
+pub use solids::{
+    BoxShape, HingeSettings, KeyframeSettings, OpenFaces, RoundShape, Shape, SolidLook, SolidSettings, SphereShape,
+};
 pub use solver::{Method, Precision, Solver};
 pub use sph::{Integrator, SmoothingKernel, SphSettings};
 pub use surface::{AutoSettings, MeshSettings, PointColor, Smoothing, Surface, SurfaceMethod};

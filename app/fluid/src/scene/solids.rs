@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::forms::Form;
-use super::mesh_shapes::{HullShape, MeshShape, TerrainShape};
+use super::mesh_shapes::{HullShape, MeshShape, TerrainShape, WheelShape};
 
 /// A solid: a shape, where it stands, and how it moves.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -28,6 +28,9 @@ pub struct SolidSettings {
     /// The smallest convex solid with some points in it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hull: Option<HullShape>,
+    /// A wheel with paddles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wheel: Option<WheelShape>,
     /// Ground: heights, and all that is below.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub terrain: Option<TerrainShape>,
@@ -44,6 +47,9 @@ pub struct SolidSettings {
     /// What it is made of, kg/m³: the fluid moves it, and it the fluid. Default: it moves as it is told.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub density_kg_m3: Option<f64>,
+    /// What holds one with a density: it turns around that, and goes nowhere. Default: it is free.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hinge: Option<HingeSettings>,
     /// Its velocity, m/s, without end; of a solid with a density that with which it begins.
     pub velocity_m_s: [f64; 3],
     /// How it turns around its middle, without end: around this axis, degrees a second; of a solid with a density how it begins
@@ -150,6 +156,18 @@ impl OpenFaces {
     }
 }
 
+/// A line that a body turns around without friction.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct HingeSettings {
+    /// Along it; of any length.
+    pub axis: [f64; 3],
+    /// A place on it, m. Default: the solid's middle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_m: Option<[f64; 3]>,
+}
+
 /// Where a solid is at a time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -172,7 +190,7 @@ pub enum Shape {
     Capsule(f64, f64),
     /// A radius and half a length, m.
     Cylinder(f64, f64),
-    /// A mesh, a hull or ground.
+    /// A mesh, a hull, a wheel or ground.
     Triangles,
 }
 
@@ -196,12 +214,12 @@ impl SolidSettings {
     /// How many shapes are given.
     pub(crate) fn shapes_given(&self) -> usize {
         let plain = [self.cuboid.is_some(), self.sphere.is_some(), self.capsule.is_some(), self.cylinder.is_some()];
-        let triangles = [self.mesh.is_some(), self.hull.is_some(), self.terrain.is_some()];
+        let triangles = [self.mesh.is_some(), self.hull.is_some(), self.wheel.is_some(), self.terrain.is_some()];
         plain.into_iter().chain(triangles).filter(|&given| given).count()
     }
 
-    /// Whether it is a mesh, a hull or ground.
+    /// Whether it is a mesh, a hull, a wheel or ground.
     pub fn has_triangles(&self) -> bool {
-        self.mesh.is_some() || self.hull.is_some() || self.terrain.is_some()
+        self.mesh.is_some() || self.hull.is_some() || self.wheel.is_some() || self.terrain.is_some()
     }
 }

@@ -74,11 +74,17 @@ fn setting(field: &str, value: &str) -> Vec<String> {
     }
     if field.starts_with("solid.*") {
         let round = ["capsule", "cylinder"].into_iter().find(|shape| field.starts_with(&format!("solid.*.{shape}.")));
-        let triangles = [("mesh", "file = \"a.obj\""), ("hull", ""), ("terrain", "size_m = [1, 0.2, 1]")];
-        let own = triangles.into_iter().find(|(shape, _)| field.starts_with(&format!("solid.*.{shape}.")));
+        let tables = [
+            ("mesh", "file = \"a.obj\""),
+            ("hull", ""),
+            ("wheel", "radius_m = 0.2, width_m = 0.1"),
+            ("terrain", "size_m = [1, 0.2, 1]"),
+            ("hinge", "axis = [0, 0, 1]"),
+        ];
+        let own = tables.into_iter().find(|(table, _)| field.starts_with(&format!("solid.*.{table}.")));
         settings.push(match (round, own) {
             (Some(shape), _) => format!("solid=[{{ {shape} = {{ radius_m = 0.2, length_m = 0.5 }} }}]"),
-            (_, Some((shape, own))) => format!("solid=[{{ {shape} = {{ {own} }} }}]"),
+            (_, Some((table, own))) => format!("solid=[{{ {table} = {{ {own} }} }}]"),
             (None, None) => "solid=[{ keyframe = [{ time_s = 0 }] }]".into(),
         });
     }
@@ -217,6 +223,18 @@ fn the_table_has_every_field() {
         },
         SolidSettings {
             hull: Some(HullShape { points_m: vec![[0.0; 3]], file: Some(file()), scale_m: 1.0, cell_m: Some(0.1) }),
+            ..SolidSettings::default()
+        },
+        SolidSettings {
+            wheel: Some(WheelShape {
+                radius_m: 0.2,
+                width_m: 0.1,
+                paddles: 8,
+                hub_radius_m: Some(0.1),
+                paddle_m: Some(0.02),
+                cell_m: Some(0.1),
+            }),
+            hinge: Some(HingeSettings { axis: [0.0, 0.0, 1.0], at_m: Some([0.0; 3]) }),
             ..SolidSettings::default()
         },
         SolidSettings {
@@ -424,7 +442,10 @@ fn messages_about_solids_name_the_solid_and_what_is_allowed() {
     let cases: &[(&[&str], &[&str])] = &[
         (
             &["solid.0.sphere={ radius_m = 1 }"],
-            &["solid.0 = 2 shapes", "one of `box`, `sphere`, `capsule`, `cylinder`, `mesh`, `hull` and `terrain`"],
+            &[
+                "solid.0 = 2 shapes",
+                "one of `box`, `sphere`, `capsule`, `cylinder`, `mesh`, `hull`, `wheel` and `terrain`",
+            ],
         ),
         (&["solid.0.cylinder.radius_m=0"], &["solid.0.cylinder.radius_m = 0", "1e-6 to"]),
         (&["solid.0.cylinder.radius_m=0.15"], &["a radius of 0.05 m", "at least h/2 = 0.1 m"]),

@@ -83,5 +83,5 @@ static GATHER_REACTIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/gather_reactions.compute",
-    hash: "f7491bd34e76a91a12d32bbf630c24cf5b9d2a34a274a5a9a0bbe8163c9b871f",
+    hash: "9965e814e0492a3198ddd565dcd8a1e5758f8e733a5daa34b7764a619f2d6bb1",
 };

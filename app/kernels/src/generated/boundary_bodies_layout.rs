@@ -19,7 +19,7 @@ pub const CONTACTS_PER_POINT: u32 = 4;
 /// many times particles pushed.
 pub const REACTION_WORDS: u32 = 16;
 
-/// A body: the solid that it is, and its inertia.
+/// A body: the solid that it is, its inertia, and what holds it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct RigidBody {
@@ -27,35 +27,53 @@ pub struct RigidBody {
     pub centre_of_mass_m: [f32; 3],
     /// `float`.
     pub inverse_mass_per_kg: f32,
-    /// about that, along the frame's axes, which are its principal ones
+    /// about that, in the frame: xx, yy, zz
     pub inertia_kg_m2: [f32; 3],
     /// of fluid that it takes along where it is all wet
     pub added_mass_kg: f32,
-    /// `float3`.
-    pub added_inertia_kg_m2: [f32; 3],
+    /// of the same tensor: xy, yz, zx
+    pub products_kg_m2: [f32; 3],
     /// share of its surface that one particle wets
     pub wet_per_push: f32,
+    /// of the fluid that it takes along
+    pub added_inertia_kg_m2: [f32; 3],
     /// `uint`.
     pub solid: u32,
-    /// `uint`.
-    pub reserved0: u32,
-    /// `uint`.
-    pub reserved1: u32,
-    /// `uint`.
-    pub reserved2: u32,
+    /// `float3`.
+    pub added_products_kg_m2: [f32; 3],
+    /// about its hinge; 0 of a body that is free
+    pub hinge_inertia_kg_m2: f32,
+    /// a place on its hinge
+    pub hinge_m: [f32; 3],
+    /// of fluid, about the hinge
+    pub hinge_added_kg_m2: f32,
+    /// as long as 1
+    pub hinge_axis: [f32; 3],
+    /// `float`.
+    pub reserved0: f32,
+    /// that place in the frame
+    pub hinge_place_m: [f32; 3],
+    /// `float`.
+    pub reserved1: f32,
 }
 const _: () = {
     assert!(offset_of!(RigidBody, centre_of_mass_m) == 0);
     assert!(offset_of!(RigidBody, inverse_mass_per_kg) == 12);
     assert!(offset_of!(RigidBody, inertia_kg_m2) == 16);
     assert!(offset_of!(RigidBody, added_mass_kg) == 28);
-    assert!(offset_of!(RigidBody, added_inertia_kg_m2) == 32);
+    assert!(offset_of!(RigidBody, products_kg_m2) == 32);
     assert!(offset_of!(RigidBody, wet_per_push) == 44);
-    assert!(offset_of!(RigidBody, solid) == 48);
-    assert!(offset_of!(RigidBody, reserved0) == 52);
-    assert!(offset_of!(RigidBody, reserved1) == 56);
-    assert!(offset_of!(RigidBody, reserved2) == 60);
-    assert!(size_of::<RigidBody>() == 64);
+    assert!(offset_of!(RigidBody, added_inertia_kg_m2) == 48);
+    assert!(offset_of!(RigidBody, solid) == 60);
+    assert!(offset_of!(RigidBody, added_products_kg_m2) == 64);
+    assert!(offset_of!(RigidBody, hinge_inertia_kg_m2) == 76);
+    assert!(offset_of!(RigidBody, hinge_m) == 80);
+    assert!(offset_of!(RigidBody, hinge_added_kg_m2) == 92);
+    assert!(offset_of!(RigidBody, hinge_axis) == 96);
+    assert!(offset_of!(RigidBody, reserved0) == 108);
+    assert!(offset_of!(RigidBody, hinge_place_m) == 112);
+    assert!(offset_of!(RigidBody, reserved1) == 124);
+    assert!(size_of::<RigidBody>() == 128);
 };
 
 /// How a body moves.

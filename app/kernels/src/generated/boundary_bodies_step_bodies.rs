@@ -58,7 +58,7 @@ impl Kernel for StepBodies<'_> {
 pub(super) static MODULES: &[&Module] = &[&STEP_BODIES];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "bodies", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 } },
+    BindingInfo { name: "bodies", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 128 } },
     BindingInfo {
         name: "body_contacts",
         slot: 1,
@@ -90,11 +90,11 @@ static STEP_BODIES: Module = Module {
     name: "StepBodies",
     entry: "StepBodies",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 23668 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 34008 },
     bindings: BINDINGS_0,
     group_size: [256, 1, 1],
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "8d3c74015eaf8796243bd13df9d733b817a3363744f049d1a525430fbbf7cec6",
+    hash: "72b18eaf38988b814edc15805bd5af6952dc6ca13da52a8293cf97e7a9853b96",
 };

@@ -144,7 +144,7 @@ static COLLIDE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "691eeb83841310fb2a8705a5ef51b100d833f7a867f0f38cbb94325dbb1f7d69",
+    hash: "5f099282bd5197f1260cc86a1d78560f5a57282f175afd1008fd839034fe2fa7",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
@@ -157,5 +157,5 @@ static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "736f8a147a1faef3a699f8800ada0ccf9d88101ce4a1f94ef827785466a13dc6",
+    hash: "4d685d125e41e0bab9af04091e52c77d73cf9ad392e6d4363abadba581dbccdf",
 };

@@ -162,7 +162,7 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "fdcedbd378c26515e5625fa69c78f58c613d426cc78da56ecdc790d77572e815",
+    hash: "1f6b917ea84dd90a4765179d16b1fca461cbe6979b1207af90ee6ac257b6d9f6",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
@@ -175,7 +175,7 @@ static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "2a4688492bb14def4b7b2f130781b8371de6bebdf302514f34832e85626db369",
+    hash: "487a4ca411f1f7155408d34fa06f7bac8b2e3fd8e2e19fba3dec3e8e30a1aaf2",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
@@ -188,7 +188,7 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "65fc152050ea813b607c2091df77f7f5036346db916c4a1d03eec4304b370224",
+    hash: "daa4e3d4d5d198a13578f9e0fbbcc05e7eafb8a14fd32a876f1a740ee896f4cd",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
@@ -201,5 +201,5 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "433dc4c7328c00199158c318e99866149c2b0d1e13769fb7512b3d4fca690f6b",
+    hash: "3d4592ff6e5c6d0add6c8231144b727d8efb38dc20945d5b79b41d8fbf0e0b27",
 };

@@ -71,5 +71,5 @@ static MOVE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "6164e2d6f30056eed9b1e2b5cd59af9965284e0ddac938d1c7f405ee62a298af",
+    hash: "1e6ee60326f229698a2892e296a9e385e1fb26d6673ca5b7792b417d1ce69e01",
 };

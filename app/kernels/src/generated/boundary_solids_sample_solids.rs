@@ -93,5 +93,5 @@ static SAMPLE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "ea7696dc370433b156f91335fbcab6b2f18d35b8a9a3e0e8e941287da2df2f66",
+    hash: "a79fa5f72ff351c09ac0a440559aaf7ccbed3c111a39afdac1c997c17b273144",
 };

@@ -221,7 +221,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "463c7effd55e6506cb705520f4a2786fa352252183b8eef545b33efa7e18ae11",
+    hash: "c25b88970a8ef62b0b293d1f8c23a4f3035adc5a56bb3099443ae85c755f03bd",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -234,7 +234,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "02ac729d489926a1a91c011ca70784822394ca6714d23ab699e130ab87d1e911",
+    hash: "eb1307ef7b8efea55331896a55d24fb5a685a77fb146b80d8bd70db38f5aa1a8",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -247,7 +247,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "1a9481adee19e0e94bdb7b76aac5b3b4ec32694d2fec4631e225b57df6765c00",
+    hash: "6b3f8a0b32bd1366b5c8c7ef75aa6b22eff23bd0b9cd47594eb086042f7d919e",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -260,7 +260,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "1d2c014fbb9ea7b963d2c3ae94886a9b1fd22fe131ce53293ac1dc258c48781b",
+    hash: "df428672a718614b55625ca97d911a918866305fc93e9b80d7a2a533e3d9a40f",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -273,7 +273,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "ad2e62f100dfa9b00e219383847184a11155732793028dfb16923c6af8da2743",
+    hash: "17f28d4078748c11343fac3629972cbcda5b849ea14cd7cf60b5b19731a89bb9",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -286,7 +286,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "1d51d3c5fe8feb2aa41b9abdd386614d0cf35eed8f8a5ca7ebb0a503fa8a1889",
+    hash: "7e50924405fbd21997c5d36fef5246b8ae198b2b6abd206740f4d58294d0f53a",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -299,7 +299,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "98750c3a5d3401bf720d3c098241d87f9b32e8937340aac9f69572e4ce2cc73b",
+    hash: "7616dda3f0eaaaa41579addc29564e41c1257509163692b5c951cde02147cb0b",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -312,7 +312,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "56c8e5f030593fff1dbf900eac0bb65ad31bc36b89f1e1fe9f2c8b49a65d2fde",
+    hash: "52b5bb38fe2e4e20cd89940bf0eda143617bde34e287488aaf293be9e6c374c6",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -325,5 +325,5 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "d1bfdc0d373e3a93d5a50eb5de655b45ab2c5f6ab927a655758b69ac2ec3ceff",
+    hash: "d6d34100d5c62659bff85c766d9763a1b4b80156e37bdc03a82600710f56c2c2",
 };

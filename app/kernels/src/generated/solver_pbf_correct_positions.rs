@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e0f93bd415065456b4a1d61883782d510823b298e2b5ef6cd4079d83fd6f3f19",
+    hash: "8557d74f0420979e74fe0be9a4729b9682f045ffa06b7120aeaadc818601c868",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fa66766ff4ee2860c706d3b3722d613329bb7aa2da7c207d739c87939d6a7bba",
+    hash: "b4a161f1a0f1d8510414554102d7a33d07dc9ccf727cfee9fc960396f9ff3bac",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d3ca7ea23b0920bc511c5364a61453961b4205efe7cca3b4a941334d71190ba8",
+    hash: "c86a7a26c7515d6790cea3ef3ab1f64c34ab124e87715e173aeb8347b93ee8b7",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "46c63b535d313728d47467527611552201f671fbbcff0a6310a4d0747e362818",
+    hash: "83cfda9688cf78db487c68b3ba7a74590138cc45db2d28a0d4a52af37ecc6c2d",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c0be8d2ed27581c4ac5aff96885e3dffdd6026f19589f0329c688820c1c6bab0",
+    hash: "947afc8626f3cc841b88162165f5835a62f8c838e837311309bb9ec4711d4367",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "27b7ba0b50370b6be050cc865131e23eaa64f33f9801c378f8fae2016070fd4b",
+    hash: "63b03d229788cb5a09aaa4c4436a8d0d8e495b3b88d7fc770a2946b596b1c809",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "258fb0566da159c68922fc8a9931231feb5fc51f9f738d0400fbf4fa504df646",
+    hash: "ff5f269dd7a7e8fdc8941727fb4a299edff4efcba28e8c6a143f8de7eb013397",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0864724df0e62d602a48e32f44abc938b1da9dad7cb0724a1d8877501e5b8903",
+    hash: "63f71ed53bf3a60bc541b0df8f17f7d8bd00ab31630ff26a54f2b11d92c61e46",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9ad3f9ce3b4f9aa0043583d50dca09c99f808963c53b325b0b00b3b31d4d4537",
+    hash: "7b787f2ad0c19e3d41eb702525566cbdd27caf4458cd6446049560632efa906a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "93cf1fac0ffef58ed1542a16b9ea2c390e6c5273c38b59b81496d17707830a80",
+    hash: "e03d93149c8500806280c406dacfe73556b3a0191b829dfb891f9dc76e06a8cd",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fcc7a8877ae9c2f547c3c20538e9d2d1b6202336b23e002edef2dfb1cac77ae7",
+    hash: "07c3de98825442ad68f6bce4a4b3318ba996e30b86f611686a8f93d0297a47d3",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dbc0816ec0a6b7673f3e18ffe1e4e8ead694f586685b8b20201d575e7309afb0",
+    hash: "c2d7930a926dc0600a90057f5f5fadd737fdee9ab1b5bc8d3d8798406e3588c9",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7cb0bc3f97831691ed1f789f72e40dd77bd9c6346e1a1fa72d98499bf094163a",
+    hash: "1cd7572720f4cae50321337670f2969056e960f7f31a43baf563bd23a7b9748d",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1bf1baad9a728fa33460d54349def1fed3b0e3e78425fdcba9df104d6b585c35",
+    hash: "f96140a1ba10194f66985896b8e441c8ead453bcf9bb46e58ccba98ca0fe8da6",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d7dfd3c8efc3329a8f6a01bedd564ee4e46d68705d1b41a1866dada0d6ab2224",
+    hash: "ed781265350431a4c5579a6385e9d5e67bea102959206901bcb61ff2066ea4b7",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "55d65750424efb7b4bf7073938d93869dbd427b4f7010d3ca0cdb5fe88f802b4",
+    hash: "4bce6525633110dcbca594b3b803e6b33323dc8cacc9d8c68fa200c8c05d1fd0",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7d61ab8bac41c57f17338dcd051d52f87761562f69b3f2b44f4f03a58854de03",
+    hash: "0a73e5e5c3a1cfa92ab9b668e2724ad729e86a16c680b4d24c8fb9b5712b6d41",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b8aa4afe9d02fedc15bf19a895b7ca1c9927e1353452178170307df43e3a7586",
+    hash: "57d68e67061f99d53cecfbef208df6ced0a9a38be4ac9e61a9403a1ce189ff68",
 };

@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "e1008fe8da41fc45a1544f40f75e2f3fb3d956a16e85721a2fd51087ed2cfc50",
+    hash: "aacf423a07bffe83ca477b3d099fcc35f5f68742c7ebf04c6f49c5821b07c78f",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "886677fb653cdac560c9dfe7264a1c4cb75b775bde734e6a62a8063ee1051276",
+    hash: "6f7b4dc35343ae9902f6cf9fdec23448016373fb9bfb7e309b9ed6ce2b6b7ff2",
 };

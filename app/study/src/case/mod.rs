@@ -21,7 +21,7 @@ pub use column_collapse::ColumnCollapse;
 pub use dam_break::{MARTIN_MOYCE, SQUARE_COLUMN};
 pub use elliptical_drop::EllipticalDrop;
 pub use free_fall::FreeFall;
-pub use gauge::ReservoirGauge;
+pub use gauge::Gauges;
 pub use hydrostatic::{HYDROSTATIC, SHALLOW};
 pub use square_patch::SquarePatch;
 pub use standing_wave::StandingWave;
@@ -110,7 +110,7 @@ pub const CASES: &[&dyn Case] = &[
     &TAYLOR_GREEN_JITTERED,
     &MARTIN_MOYCE,
     &SQUARE_COLUMN,
-    &ReservoirGauge,
+    &Gauges,
     &ColumnCollapse,
 ];
 

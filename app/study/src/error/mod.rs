@@ -54,7 +54,7 @@ pub struct Choice {
 /// Cases that a quick look takes: one of each kind of reference.
 const QUICK: [&str; 3] = ["elliptical-drop", "martin-moyce", "column-collapse"];
 /// What a curve cannot be drawn of: exact, whatever is turned; or too large to be turned often.
-const NO_CURVES: [&str; 2] = ["free-fall", "spheric-2-h4"];
+const NO_CURVES: [&str; 2] = ["free-fall", "spheric-2"];
 
 impl Choice {
     /// Whether nothing was chosen: all curves, and what belongs to them.

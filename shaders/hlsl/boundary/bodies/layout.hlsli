@@ -12,19 +12,25 @@ static const uint CONTACTS_PER_POINT = 4;
 // many times particles pushed.
 static const uint REACTION_WORDS = 16;
 
-// A body: the solid that it is, and its inertia.
+// A body: the solid that it is, its inertia, and what holds it.
 struct RigidBody
 {
     float3 centre_of_mass_m;        // in its solid's frame
     float inverse_mass_per_kg;
-    float3 inertia_kg_m2;           // about that, along the frame's axes, which are its principal ones
+    float3 inertia_kg_m2;           // about that, in the frame: xx, yy, zz
     float added_mass_kg;            // of fluid that it takes along where it is all wet
-    float3 added_inertia_kg_m2;
+    float3 products_kg_m2;          // of the same tensor: xy, yz, zx
     float wet_per_push;             // share of its surface that one particle wets
+    float3 added_inertia_kg_m2;     // of the fluid that it takes along
     uint solid;
-    uint reserved0;
-    uint reserved1;
-    uint reserved2;
+    float3 added_products_kg_m2;
+    float hinge_inertia_kg_m2;      // about its hinge; 0 of a body that is free
+    float3 hinge_m;                 // a place on its hinge
+    float hinge_added_kg_m2;        // of fluid, about the hinge
+    float3 hinge_axis;              // as long as 1
+    float reserved0;
+    float3 hinge_place_m;           // that place in the frame
+    float reserved1;
 };
 
 // How a body moves.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Checker, tidied};
+use super::{Checker, numbers, tidied};
 use crate::scene::bodies::{MOST_BODIES, body_solids, points_of};
 use crate::scene::field::Short;
 use crate::scene::solid_shapes::StandingSolid;
@@ -39,11 +39,18 @@ impl Scene {
                 format_args!("{} to {}: {} to {} times the fluid's", Short(least), Short(most), RATIOS[0], RATIOS[1]),
             )?;
             check.require(
-                solid.shape() != Shape::Triangles,
+                solid.terrain.is_none(),
                 &format!("{field}.density_kg_m3"),
                 Short(density_kg_m3),
-                "not with a mesh, a hull or ground: what the fluid moves is a box, a sphere, a capsule or a cylinder",
+                "not with terrain, which stands",
             )?;
+            check.require(
+                solid.shape() != Shape::Triangles || solid.thickness_m.is_none(),
+                &format!("{field}.thickness_m"),
+                Short(solid.thickness_m.unwrap_or_default()),
+                "not with a density_kg_m3: a sheet holds nothing that could be weighed",
+            )?;
+            check_hinge(check, &field, solid)?;
             self.check_place(check, &field, solid)?;
             self.check_overlap(check, &field, (index, solid))?;
         }
@@ -52,7 +59,15 @@ impl Scene {
 
     /// Inside walls, where there are any.
     fn check_place(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
-        let [low_m, high_m] = StandingSolid::of(solid, self).bounds_m();
+        let standing = StandingSolid::of(solid, self);
+        let corners_m = solid.triangles().map(|triangles| triangles.solid.positions_m.as_slice()).unwrap_or_default();
+        // The box around a mesh's origin may be far larger than the mesh.
+        let [low_m, high_m] = corners_m
+            .iter()
+            .map(|&corner_m| standing.placed_m(corner_m))
+            .map(|at_m| [at_m, at_m])
+            .reduce(|[low_m, high_m], [at_m, _]| [low_m.min(at_m), high_m.max(at_m)])
+            .unwrap_or_else(|| standing.bounds_m());
         let hair_m = 1e-6 * self.domain.size_m().into_iter().fold(0.0, f64::max);
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
             let [min_m, max_m] = [self.domain.min_m[axis], self.domain.max_m[axis]];
@@ -93,6 +108,26 @@ impl Scene {
     }
 }
 
+/// A line that is one, and a body that moves along it alone.
+fn check_hinge(check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
+    let Some(hinge) = solid.hinge else { return Ok(()) };
+    let axis = DVec3::from_array(hinge.axis).normalize_or_zero();
+    check.require(axis != DVec3::ZERO, &format!("{field}.hinge.axis"), numbers(hinge.axis), "must point somewhere")?;
+    check.require(
+        solid.velocity_m_s == [0.0; 3],
+        &format!("{field}.velocity_m_s"),
+        numbers(solid.velocity_m_s),
+        "must be 0 with a hinge: give it a spin_deg_s",
+    )?;
+    let spin = DVec3::from_array(solid.spin_deg_s);
+    check.require(
+        spin.reject_from_normalized(axis).length() <= 1e-9 * spin.length(),
+        &format!("{field}.spin_deg_s"),
+        numbers(solid.spin_deg_s),
+        format_args!("must be along the hinge's axis, {}", numbers(hinge.axis)),
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -117,6 +152,25 @@ mod tests {
             ("solid.0.density_kg_m3=0", &["solid.0.density_kg_m3 = 0", "0.001 to"]),
             ("solid.0.density_kg_m3=10", &["solid.0.density_kg_m3 = 10", "50 to 20000: 0.05 to 20 times the fluid's"]),
             ("solid.0.keyframe=[{ time_s = 0 }]", &["solid.0", "not with"]),
+            ("solid.0.hinge={ axis = [0, 0, 0] }", &["solid.0.hinge.axis", "must point somewhere"]),
+            (
+                "solid.0={ box = { size_m = [0.4, 0.2, 0.4] }, centre_m = [0.5, 1.5, 0.5], density_kg_m3 = 500, \
+                 velocity_m_s = [1, 0, 0], hinge = { axis = [0, 0, 1] } }",
+                &["solid.0.velocity_m_s", "must be 0 with a hinge"],
+            ),
+            (
+                "solid.0={ box = { size_m = [0.4, 0.2, 0.4] }, centre_m = [0.5, 1.5, 0.5], density_kg_m3 = 500, \
+                 spin_deg_s = [10, 0, 0], hinge = { axis = [0, 0, 1] } }",
+                &["solid.0.spin_deg_s", "must be along the hinge's axis"],
+            ),
+            (
+                "solid.1={ sphere = { radius_m = 0.2 }, centre_m = [0.5, 1.2, 0.5], hinge = { axis = [0, 0, 1] } }",
+                &["solid.1.hinge", "needs a density_kg_m3"],
+            ),
+            (
+                "solid.0={ terrain = { size_m = [1, 0.1, 1] }, centre_m = [0.5, 0, 0.5], density_kg_m3 = 500 }",
+                &["solid.0.density_kg_m3", "not with terrain"],
+            ),
             (
                 "solid.0.centre_m=[0.5, 1.3, 0.5]",
                 &["solid.0.centre_m = 0.2 m of it are in solid.1", "at most, 0.025 m"],

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use brooklet_shapes::{
-    Field, Heights, MOST_HEIGHTS, MOST_NODES, MOST_NODES_A_SIDE, Mesh, Relief, Repairs, checked, hull, terrain,
+    Field, Heights, MOST_HEIGHTS, MOST_NODES, MOST_NODES_A_SIDE, Mesh, Relief, Repairs, Wheel, checked, hull, terrain,
 };
 use glam::DVec3;
 use toml::Value;
@@ -50,18 +50,23 @@ impl Scene {
 
     fn form_of(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<Form, SceneError> {
         let is_sheet = solid.thickness_m.is_some();
-        let (name, value, form) = match (&solid.mesh, &solid.hull, &solid.terrain) {
+        let (name, value, form) = match (&solid.mesh, &solid.hull, &solid.wheel, &solid.terrain) {
             (Some(shape), ..) => {
                 let key = format!("{} {shape:?} {is_sheet}", stamp(&shape.file));
                 ("mesh.file", quoted(&shape.file), Form::of(key, || mesh(shape, is_sheet)))
             }
-            (_, Some(shape), _) => {
+            (_, Some(shape), ..) => {
                 let key = format!("{} {shape:?}", shape.file.as_deref().map_or_else(String::new, stamp));
                 let (name, value) = match &shape.file {
                     Some(file) => ("hull.file", quoted(file)),
                     None => ("hull.points_m", format!("{} points", shape.points_m.len())),
                 };
                 (name, value, Form::of(key, || hull_of(shape)))
+            }
+            (.., Some(shape), _) => {
+                let wheel = shape.wheel();
+                let value = format!("radius {}", Short(wheel.radius_m));
+                ("wheel", value, Form::of(format!("{wheel:?}"), || wheel_of(&wheel)))
             }
             (.., Some(shape)) => {
                 let ground = Ground::of(shape, self, solid);
@@ -70,7 +75,7 @@ impl Scene {
                 let value = shape.file.as_deref().map_or_else(|| "ground".to_owned(), quoted);
                 (name, value, Form::of(key, || ground.triangles()))
             }
-            (None, None, None) => return Ok(Form::default()),
+            (None, None, None, None) => return Ok(Form::default()),
         };
         let name = format!("{field}.{name}");
         form.or_else(|reason| check.require(false, &name, value, reason).map(|()| Form::default()))
@@ -146,7 +151,7 @@ impl Scene {
         )
     }
 
-    /// A mesh may be a sheet; a hull and ground are full.
+    /// A mesh may be a sheet; others are full.
     pub(super) fn check_sheet(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
         let thickness_m = Short(solid.thickness_m.unwrap_or_default());
         let is_mesh = solid.mesh.is_some();
@@ -154,7 +159,7 @@ impl Scene {
             is_mesh,
             &format!("{field}.thickness_m"),
             thickness_m,
-            "not with a hull or terrain, which are full",
+            "not with a hull, a wheel or terrain, which are full",
         )?;
         let open = solid.open.is_none();
         check.require(open, &format!("{field}.open"), "a face", "not with a mesh: leave its triangles out there")
@@ -163,10 +168,11 @@ impl Scene {
 
 impl SolidSettings {
     fn triangles_name(&self) -> &'static str {
-        match (&self.mesh, &self.hull) {
-            (Some(_), _) => "mesh",
-            (_, Some(_)) => "hull",
-            (None, None) => "terrain",
+        match (&self.mesh, &self.hull, &self.wheel) {
+            (Some(_), ..) => "mesh",
+            (_, Some(_), _) => "hull",
+            (.., Some(_)) => "wheel",
+            (None, None, None) => "terrain",
         }
     }
 
@@ -237,6 +243,11 @@ fn hull_of(shape: &HullShape) -> Result<Triangles, String> {
         None => shape.points_m.iter().copied().map(DVec3::from_array).collect(),
     };
     let (mesh, repairs) = checked(hull(&points_m)?, false).map_err(|flaw| flaw.to_string())?;
+    Ok(Triangles::new(mesh, None, repairs))
+}
+
+fn wheel_of(wheel: &Wheel) -> Result<Triangles, String> {
+    let (mesh, repairs) = checked(wheel.mesh()?, false).map_err(|flaw| flaw.to_string())?;
     Ok(Triangles::new(mesh, None, repairs))
 }
 

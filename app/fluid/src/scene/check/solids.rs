@@ -44,7 +44,7 @@ impl Scene {
             given == 1,
             field,
             format_args!("{given} shapes"),
-            "give it one of `box`, `sphere`, `capsule`, `cylinder`, `mesh`, `hull` and `terrain`",
+            "give it one of `box`, `sphere`, `capsule`, `cylinder`, `mesh`, `hull`, `wheel` and `terrain`",
         )?;
         if let Some(capsule) = solid.capsule {
             check.require(
@@ -112,6 +112,12 @@ impl Scene {
                 "not with keyframes or repeat: the fluid moves what has a density",
             );
         }
+        check.require(
+            solid.hinge.is_none(),
+            &format!("{field}.hinge"),
+            "an axis",
+            "needs a density_kg_m3: what moves as it is told needs no hinge",
+        )?;
         let is_steady = solid.velocity_m_s != [0.0; 3] || solid.spin_deg_s != [0.0; 3];
         check.require(
             solid.velocity_m_s == [0.0; 3] || solid.spin_deg_s == [0.0; 3],

@@ -3,7 +3,7 @@
 pub mod find_contacts;
 pub mod step_bodies;
 
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 /// A body's inertia.
 #[derive(Clone, Copy, Debug)]
@@ -12,14 +12,29 @@ pub struct Body {
     pub centre_of_mass_m: DVec3,
     /// Mass, kg.
     pub mass_kg: f64,
-    /// About its centre of mass, along the frame's axes.
-    pub inertia_kg_m2: DVec3,
+    /// About its centre of mass, in the frame.
+    pub inertia_kg_m2: DMat3,
     /// Of fluid that it takes along where it is all wet.
     pub added_mass_kg: f64,
     /// The same of inertia.
-    pub added_inertia_kg_m2: DVec3,
+    pub added_inertia_kg_m2: DMat3,
     /// Share of its surface that one particle wets.
     pub wet_per_push: f64,
+    /// What holds it.
+    pub hinge: Option<Hinge>,
+}
+
+/// A line that a body turns around.
+#[derive(Clone, Copy, Debug)]
+pub struct Hinge {
+    /// A place on it, m.
+    pub at_m: DVec3,
+    /// Along it, as long as 1.
+    pub axis: DVec3,
+    /// That place in the body's frame, m.
+    pub place_m: DVec3,
+    /// Of fluid that the body takes along around it where it is all wet.
+    pub added_kg_m2: f64,
 }
 
 /// How a body moves.

@@ -1,7 +1,7 @@
 //! Bodies move by what pushes them and what they touch. (Shader: `boundary/bodies/step_bodies.compute`.)
 
-use super::{Body, BodyContact, BodyState};
-use glam::{DQuat, DVec3};
+use super::{Body, BodyContact, BodyState, Hinge};
+use glam::{DMat3, DQuat, DVec3};
 
 const ITERATIONS: usize = 16;
 const LEFT_IN_A_SUBSTEP: f64 = 0.2;
@@ -29,21 +29,52 @@ pub struct Substep {
     pub max_speed_m_s: f64,
 }
 
-fn turned(rotation: DQuat, v: DVec3, of: impl Fn(DVec3) -> DVec3) -> DVec3 {
-    rotation * of(rotation.conjugate() * v)
+/// A tensor of a frame in the domain.
+fn turned(rotation: DQuat, of: DMat3) -> DMat3 {
+    let frame = DMat3::from_quat(rotation);
+    frame * of * frame.transpose()
+}
+
+/// Huygens and Steiner.
+fn around_hinge_kg_m2(body: &Body, state: &BodyState, hinge: &Hinge) -> f64 {
+    let arm_m = state.position_m - hinge.at_m;
+    let inertia = turned(state.rotation, body.inertia_kg_m2);
+    hinge.axis.dot(inertia * hinge.axis) + body.mass_kg * hinge.axis.cross(arm_m).length_squared()
+}
+
+/// What an impulse at a place gives a body: a velocity of its centre of mass, and a spin.
+fn gained(body: &Body, state: &BodyState, at_m: DVec3, impulse_kg_m_s: DVec3) -> (DVec3, DVec3) {
+    if let Some(hinge) = body.hinge {
+        let moment = hinge.axis.dot((at_m - hinge.at_m).cross(impulse_kg_m_s));
+        let spin_rad_s = moment / around_hinge_kg_m2(body, state, &hinge) * hinge.axis;
+        return (spin_rad_s.cross(state.position_m - hinge.at_m), spin_rad_s);
+    }
+    let moment = (at_m - state.position_m).cross(impulse_kg_m_s);
+    (impulse_kg_m_s / body.mass_kg, turned(state.rotation, body.inertia_kg_m2).inverse() * moment)
 }
 
 fn force(body: &Body, state: &mut BodyState, reaction: &Reaction, step: &Substep) -> (DVec3, DVec3) {
     let wet = (reaction.pushes * body.wet_per_push).min(1.0);
     let added_kg = wet * body.added_mass_kg;
-    let momentum = reaction.impulse_kg_m_s + body.mass_kg * step.gravity_m_s2 * step.dt_s + state.owed_kg_m_s;
-    let gained_m_s = momentum / (body.mass_kg + added_kg);
-    let spin_kg_m2_s = turned(state.rotation, state.spin_rad_s, |w| w * body.inertia_kg_m2);
-    let torque = reaction.moment_kg_m2_s - state.spin_rad_s.cross(spin_kg_m2_s) * step.dt_s + state.owed_kg_m2_s;
-    let added_kg_m2 = wet * body.added_inertia_kg_m2;
-    let gained_rad_s = turned(state.rotation, torque, |l| l / (body.inertia_kg_m2 + added_kg_m2));
+    let impulse = reaction.impulse_kg_m_s + body.mass_kg * step.gravity_m_s2 * step.dt_s;
+    let inertia = turned(state.rotation, body.inertia_kg_m2);
+    let added = turned(state.rotation, wet * body.added_inertia_kg_m2);
+    if let Some(hinge) = body.hinge {
+        let arm_m = state.position_m - hinge.at_m;
+        let added_kg_m2 = wet * hinge.added_kg_m2;
+        let moment = reaction.moment_kg_m2_s + arm_m.cross(impulse) + state.owed_kg_m2_s;
+        let gained_rad_s = hinge.axis.dot(moment) / (around_hinge_kg_m2(body, state, &hinge) + added_kg_m2);
+        state.owed_kg_m_s = DVec3::ZERO;
+        state.owed_kg_m2_s = added_kg_m2 * gained_rad_s * hinge.axis;
+        let spin_rad_s = (hinge.axis.dot(state.spin_rad_s) + gained_rad_s) * hinge.axis;
+        return (spin_rad_s.cross(arm_m), spin_rad_s);
+    }
+    let gained_m_s = (impulse + state.owed_kg_m_s) / (body.mass_kg + added_kg);
+    let torque =
+        reaction.moment_kg_m2_s - state.spin_rad_s.cross(inertia * state.spin_rad_s) * step.dt_s + state.owed_kg_m2_s;
+    let gained_rad_s = (inertia + added).inverse() * torque;
     state.owed_kg_m_s = added_kg * gained_m_s;
-    state.owed_kg_m2_s = turned(state.rotation, gained_rad_s, |w| w * added_kg_m2);
+    state.owed_kg_m2_s = added * gained_rad_s;
     (state.velocity_m_s + gained_m_s, state.spin_rad_s + gained_rad_s)
 }
 
@@ -66,13 +97,12 @@ pub fn step_bodies(
             touched[other] += 1.0;
         }
     }
-    let over = |b: usize, moment: DVec3| turned(states[b].rotation, moment, |l| l / bodies[b].inertia_kg_m2);
     let mobility = |b: usize, at_m: DVec3, direction: DVec3| {
-        let turning = (at_m - states[b].position_m).cross(direction);
-        1.0 / bodies[b].mass_kg + turning.dot(over(b, turning))
+        let (velocity_m_s, spin_rad_s) = gained(&bodies[b], &states[b], at_m, direction);
+        direction.dot(velocity_m_s + spin_rad_s.cross(at_m - states[b].position_m))
     };
     for _ in 0..ITERATIONS {
-        let mut gained = vec![(DVec3::ZERO, DVec3::ZERO); bodies.len()];
+        let mut sums = vec![(DVec3::ZERO, DVec3::ZERO); bodies.len()];
         for contact in contacts {
             let BodyContact { at_m, normal, body, other, .. } = *contact;
             let of = |states: &[BodyState]| {
@@ -102,20 +132,21 @@ pub fn step_bodies(
                 push -= (contact.friction * impulse).min(speed_m_s / (both(direction) * share)) * direction;
             }
             let mut give = |b: usize, push: DVec3| {
-                gained[b].0 += push / bodies[b].mass_kg;
-                gained[b].1 += over(b, (at_m - states[b].position_m).cross(push));
+                let (velocity_m_s, spin_rad_s) = gained(&bodies[b], &states[b], at_m, push);
+                sums[b].0 += velocity_m_s;
+                sums[b].1 += spin_rad_s;
             };
             give(body, push);
             if let Some(other) = other {
                 give(other, -push);
             }
         }
-        for (state, (velocity_m_s, spin_rad_s)) in next.iter_mut().zip(gained) {
+        for (state, (velocity_m_s, spin_rad_s)) in next.iter_mut().zip(sums) {
             state.velocity_m_s += velocity_m_s;
             state.spin_rad_s += spin_rad_s;
         }
     }
-    for state in &mut next {
+    for (body, state) in bodies.iter().zip(&mut next) {
         state.velocity_m_s = state.velocity_m_s.clamp_length_max(step.max_speed_m_s);
         state.spin_rad_s = state.spin_rad_s.clamp_length_max(MOST_TURN_RAD / step.dt_s);
         state.position_m += state.velocity_m_s * step.dt_s;
@@ -123,6 +154,9 @@ pub fn step_bodies(
         let q = state.rotation;
         let moved = DQuat::from_xyzw(w.x, w.y, w.z, 0.0) * q;
         state.rotation = (q + moved).normalize();
+        if let Some(hinge) = body.hinge {
+            state.position_m = hinge.at_m + state.rotation * (body.centre_of_mass_m - hinge.place_m);
+        }
     }
     next
 }
