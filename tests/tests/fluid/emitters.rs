@@ -395,6 +395,7 @@ fn what_cannot_be_is_said() {
             &["emitter.0 = a nozzle that is at", " s: must lie inside the domain"],
         ),
         (&["solver.method=none", solid], &["emitter.0 = a nozzle at [", "must not lie inside solid.0"]),
+        (&["emitter.0.radius_m=40"], &["emitter.0.radius_m = 40: a layer of", "at most 65536"]),
         (&["emitter.0.width_m=0.2", "emitter.0.height_m=0.2"], &["emitter.0 = 2 shapes", "`radius_m`"]),
         (&["emitter=[{ speed_m_s = 1 }]"], &["emitter.0 = 0 shapes"]),
         (&["emitter=[{ width_m = 0.2, speed_m_s = 1 }]"], &["emitter.0 = one side", "`height_m`"]),

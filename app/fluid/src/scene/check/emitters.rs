@@ -10,6 +10,9 @@ use crate::scene::{DrainSettings, EmitterSettings, Scene, SceneError};
 
 /// Places between two poses of a nozzle that are looked at.
 const PARTS: u32 = 8;
+/// Points that a nozzle's layer may have, and particles that fill at once.
+const MOST_NOZZLE_POINTS: f64 = 65_536.0;
+const MOST_FILLED: f64 = 16_777_216.0;
 
 impl Scene {
     /// Each with one shape, inside the domain and no solid, and no faster than fluid may be.
@@ -59,6 +62,21 @@ impl Scene {
                 "needs `width_m` and `height_m`",
             )?;
         }
+        // Before any of its points are made.
+        let spacing_m = self.fitted_spacing_m();
+        let across = |side_m: Option<f64>| side_m.unwrap_or_default() / spacing_m;
+        let (name, layer) = match (emitter.radius_m, is_flat) {
+            (Some(_), true) => ("radius_m", 2.0 * across(emitter.radius_m)),
+            (Some(_), false) => ("radius_m", std::f64::consts::PI * across(emitter.radius_m).powi(2)),
+            (None, true) => ("width_m", across(emitter.width_m)),
+            (None, false) => ("width_m", across(emitter.width_m) * across(emitter.height_m)),
+        };
+        check.require(
+            layer <= MOST_NOZZLE_POINTS,
+            &format!("{field}.{name}"),
+            Short(emitter.radius_m.or(emitter.width_m).unwrap_or_default()),
+            format_args!("a layer of {layer:.1e} particles: at most {MOST_NOZZLE_POINTS}"),
+        )?;
         let direction = &format!("{field}.direction");
         check.require(
             DVec3::from_array(emitter.direction).try_normalize().is_some(),
@@ -140,6 +158,15 @@ impl Scene {
             field,
             format_args!("{} to {}", numbers(min_m), numbers(max_m)),
             format_args!("must lie inside the domain, {} to {}", numbers(domain.min_m), numbers(domain.max_m)),
+        )?;
+        let filled = (0..domain.dimensions as usize)
+            .map(|axis| (max_m[axis] - min_m[axis]) / self.fitted_spacing_m())
+            .product::<f64>();
+        check.require(
+            filled <= MOST_FILLED,
+            field,
+            format_args!("{} to {}", numbers(min_m), numbers(max_m)),
+            format_args!("holds {filled:.1e} particles: at most {MOST_FILLED}, or a larger spacing_m"),
         )?;
         check.require(
             !emitter.points_m(self).is_empty(),
