@@ -17,6 +17,7 @@ use crate::body_motion::BodyMotion;
 use crate::boundary::bodies::BodyBuffers;
 use crate::boundary::solids::solids_params;
 use crate::drag::{Drag, DragPass};
+use crate::drag_body::{BodyDrag, BodyDragPass};
 use crate::measure::{Sample, Stats};
 use crate::particles::ParticleSet;
 use crate::scene::{Scene, Update, emitter_states, poses_before};
@@ -41,6 +42,8 @@ pub enum SessionError {
 pub struct FrameRequest<'a> {
     /// Draws the fluid along before the steps, if the session was recorded with drag.
     pub drag: Option<&'a Drag>,
+    /// Draws a body to a place likewise, if the scene has bodies.
+    pub drag_body: Option<&'a BodyDrag>,
     /// Deactivates the particles in a box, if the session was recorded with changes of slots.
     pub deactivate: Option<&'a DrainBox>,
     /// Activates a block of particles, likewise. Those for which no slot is free are counted
@@ -95,6 +98,7 @@ pub struct Session {
     scene: Scene,
     recorded: Recorded,
     drag: Option<DragPass>,
+    drag_body: Option<BodyDragPass>,
     slot_changes: Option<SlotChanges>,
     sample: Option<Sample>,
     relaxes: bool,
@@ -144,6 +148,7 @@ impl Session {
             mut particles,
             bodies,
             drag,
+            drag_body,
             slot_changes,
             sample,
             relaxes,
@@ -160,6 +165,7 @@ impl Session {
             scene,
             recorded,
             drag,
+            drag_body,
             slot_changes,
             sample,
             relaxes,
@@ -194,6 +200,10 @@ impl Session {
         self.order.clear();
         self.readbacks.clear();
         if let (Some(pass), Some(drag)) = (&self.drag, request.drag) {
+            pass.write(&mut self.engine, &self.scene, drag);
+            self.order.push(pass.recording.id());
+        }
+        if let (Some(pass), Some(drag)) = (&self.drag_body, request.drag_body) {
             pass.write(&mut self.engine, &self.scene, drag);
             self.order.push(pass.recording.id());
         }

@@ -96,5 +96,5 @@ static FIND_CONTACTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/find_contacts.compute",
-    hash: "e5d9a9bfe286f5d9fba5c60eb5cf076206cfdd9fea70323845127745a9a96b48",
+    hash: "67ec4822a6317f643ec9492c52b16c406d08c31d88f8a0d550d996c2e5df5f47",
 };

@@ -83,5 +83,5 @@ static GATHER_REACTIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/gather_reactions.compute",
-    hash: "f7491bd34e76a91a12d32bbf630c24cf5b9d2a34a274a5a9a0bbe8163c9b871f",
+    hash: "ede26acfbb4e8712a638f018841bcefc823d7c62c5526abf06510faccb16bde1",
 };

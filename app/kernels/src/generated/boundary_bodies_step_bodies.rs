@@ -96,5 +96,5 @@ static STEP_BODIES: Module = Module {
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "8d3c74015eaf8796243bd13df9d733b817a3363744f049d1a525430fbbf7cec6",
+    hash: "a2fe40956deca1fcc2232d8e24c41a226a99c5bdeb17637576d83b8f258d42e5",
 };

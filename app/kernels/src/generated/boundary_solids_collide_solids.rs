@@ -144,7 +144,7 @@ static COLLIDE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "691eeb83841310fb2a8705a5ef51b100d833f7a867f0f38cbb94325dbb1f7d69",
+    hash: "fc04804a92d8d2b3577812aa8f502d55d80099f07983fe2863c05253671a0a19",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
@@ -157,5 +157,5 @@ static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "736f8a147a1faef3a699f8800ada0ccf9d88101ce4a1f94ef827785466a13dc6",
+    hash: "f1adbbdbecef872ffca4370e22d1a28ad307df2977f025be75bc44596aed9c50",
 };

@@ -162,7 +162,7 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "fdcedbd378c26515e5625fa69c78f58c613d426cc78da56ecdc790d77572e815",
+    hash: "bd778bec12e71539c089961e2095873d238397b82ce239d22995fbb3d6136e4d",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
@@ -175,7 +175,7 @@ static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "2a4688492bb14def4b7b2f130781b8371de6bebdf302514f34832e85626db369",
+    hash: "0fb154fb6fd8fd303b1769ba8a6298d1618adcdd951d190ea61cc9329b82584a",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
@@ -188,7 +188,7 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "65fc152050ea813b607c2091df77f7f5036346db916c4a1d03eec4304b370224",
+    hash: "4df6427010dcd7415af4538fe997de3a8b361edeeaaf37e1d919b4d921efb194",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
@@ -201,5 +201,5 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "433dc4c7328c00199158c318e99866149c2b0d1e13769fb7512b3d4fca690f6b",
+    hash: "2fa224415d9b9e28ca51e96f3787248e0fcb06d877b916bc000f0b10a6c975dd",
 };

@@ -93,5 +93,5 @@ static SAMPLE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "ea7696dc370433b156f91335fbcab6b2f18d35b8a9a3e0e8e941287da2df2f66",
+    hash: "adba232e29d26362a312e8c0ab22944eab77f15de9e4734dfdb6e59525968547",
 };

@@ -221,7 +221,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "463c7effd55e6506cb705520f4a2786fa352252183b8eef545b33efa7e18ae11",
+    hash: "c4cbf5adedea2040d7572bf7598703ac48ac19b23f6a95ac5e6a0f9bedce20c1",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -234,7 +234,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "02ac729d489926a1a91c011ca70784822394ca6714d23ab699e130ab87d1e911",
+    hash: "d36ffbcacc7d0d056c8dc1b9b5ad3f578d1be080256e3e209505187fb7010fe1",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -247,7 +247,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "1a9481adee19e0e94bdb7b76aac5b3b4ec32694d2fec4631e225b57df6765c00",
+    hash: "6427445067c4436623303caf11cc2fccc5792cf5afdd50bb78e42ca5beca4ae6",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -260,7 +260,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "1d2c014fbb9ea7b963d2c3ae94886a9b1fd22fe131ce53293ac1dc258c48781b",
+    hash: "8eab07df3b0079f9b1caf385cb60dc94a597e60889517c34e0115afa6191fe9d",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -273,7 +273,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "ad2e62f100dfa9b00e219383847184a11155732793028dfb16923c6af8da2743",
+    hash: "3590863a70b96a60c899e29086ea14d5c613ad7cb6757b0953873f4cd9b25b1c",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -286,7 +286,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "1d51d3c5fe8feb2aa41b9abdd386614d0cf35eed8f8a5ca7ebb0a503fa8a1889",
+    hash: "086950f9643bb54d009ece0fbc4648cbee4130abff3a664aeca5f626d688c6d1",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -299,7 +299,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "98750c3a5d3401bf720d3c098241d87f9b32e8937340aac9f69572e4ce2cc73b",
+    hash: "9717b7fa343389994a323e9bfc1d80dd65259266bf165b1a8b5ee93e5e575579",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -312,7 +312,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "56c8e5f030593fff1dbf900eac0bb65ad31bc36b89f1e1fe9f2c8b49a65d2fde",
+    hash: "6f35653300f3d93765e799f8f8a6ec90c66f104b2f85344fbf77af5d47271980",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -325,5 +325,5 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "d1bfdc0d373e3a93d5a50eb5de655b45ab2c5f6ab927a655758b69ac2ec3ceff",
+    hash: "e4549a706b2091d90b777a3cb9f9c5ad01d91b60999d9d1dc3609d6971b5356a",
 };

@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e0f93bd415065456b4a1d61883782d510823b298e2b5ef6cd4079d83fd6f3f19",
+    hash: "e060d2f9a7a28d6b29e11f4efe0fc080b48d28732ea69828c0b97614760c9821",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fa66766ff4ee2860c706d3b3722d613329bb7aa2da7c207d739c87939d6a7bba",
+    hash: "c5a62d9a19be6d90dacd53d9323edc3fba0d1d57b45b99b74649a7fad4885cd5",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d3ca7ea23b0920bc511c5364a61453961b4205efe7cca3b4a941334d71190ba8",
+    hash: "b9845b5dbdc41cf5da22c66f874f65d96090bc2ec204ca3db8c3d09d451ea307",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "46c63b535d313728d47467527611552201f671fbbcff0a6310a4d0747e362818",
+    hash: "3a9056303516f969965660fbba196ad046af2a1e0767554d387e3e93031c26e6",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c0be8d2ed27581c4ac5aff96885e3dffdd6026f19589f0329c688820c1c6bab0",
+    hash: "2a01e2bd691ca253b7faa6dffc30d0c8198a819f4b2ef5ccb190995c6627019f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "27b7ba0b50370b6be050cc865131e23eaa64f33f9801c378f8fae2016070fd4b",
+    hash: "30fef905ffd46a2714da87643307cda550a8f2ab9541393156ead8da45682148",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "258fb0566da159c68922fc8a9931231feb5fc51f9f738d0400fbf4fa504df646",
+    hash: "62516abf4c1237c353d7232ce737fe20e20d623e463608af88886f2bffb6f924",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0864724df0e62d602a48e32f44abc938b1da9dad7cb0724a1d8877501e5b8903",
+    hash: "7dad0850dc272c3ad23cb00dab7942b0b9bb58204e2db5282d269a20d22325f1",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9ad3f9ce3b4f9aa0043583d50dca09c99f808963c53b325b0b00b3b31d4d4537",
+    hash: "24cc2de1ac274d7079698a55b9de840a0da2bce4aee447cf0e6f57ffa9624bb8",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "93cf1fac0ffef58ed1542a16b9ea2c390e6c5273c38b59b81496d17707830a80",
+    hash: "ff61471e1768f758c4637effd1a18bcea387b23edd4c532bc0e8231dfb4908f6",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fcc7a8877ae9c2f547c3c20538e9d2d1b6202336b23e002edef2dfb1cac77ae7",
+    hash: "13dffd2a8c67a55fed935fff36b88fb500778bf29509614d627de8855294c4f5",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dbc0816ec0a6b7673f3e18ffe1e4e8ead694f586685b8b20201d575e7309afb0",
+    hash: "ce6f8070a9dc98da6950bd4c9572be1ab7d28e86fdf1f6c3a58458e06abc0867",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7cb0bc3f97831691ed1f789f72e40dd77bd9c6346e1a1fa72d98499bf094163a",
+    hash: "c1b160255953c232fcf8da1536c2b758f906ccf375ee459b4d1ef105ea5df35b",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1bf1baad9a728fa33460d54349def1fed3b0e3e78425fdcba9df104d6b585c35",
+    hash: "45f2143f12692e12b7cbb6feb10a968cac55d2ba25bdc39ac4e3eb3b002905c4",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d7dfd3c8efc3329a8f6a01bedd564ee4e46d68705d1b41a1866dada0d6ab2224",
+    hash: "25aaff5ceae0d15165f769571e8e2665a26b11fc8e1b168491689c85f02f3b3a",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "55d65750424efb7b4bf7073938d93869dbd427b4f7010d3ca0cdb5fe88f802b4",
+    hash: "1654a1bca0868993cade00eef25617d853932a651f149a9848b76dace8b1635d",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7d61ab8bac41c57f17338dcd051d52f87761562f69b3f2b44f4f03a58854de03",
+    hash: "2edb045d3692180296c4cd1ec81423089ca768b063a863336902ce386ef473b2",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b8aa4afe9d02fedc15bf19a895b7ca1c9927e1353452178170307df43e3a7586",
+    hash: "7d9c52bd88562d2710d0783cca408e298ea649c552284ddd49130caa2e3fdbae",
 };

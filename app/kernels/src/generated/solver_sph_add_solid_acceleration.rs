@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "e1008fe8da41fc45a1544f40f75e2f3fb3d956a16e85721a2fd51087ed2cfc50",
+    hash: "e49eea640f076835174382a9f8874215d7ee648ee411f9bec64191bf8f4c44b6",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "886677fb653cdac560c9dfe7264a1c4cb75b775bde734e6a62a8063ee1051276",
+    hash: "9115685e3b96d5807bcb913d8ef2a7c151b2f8891dc207b22db59c6e10ae1669",
 };
