@@ -53,8 +53,8 @@ mod viewer;
 pub mod viewer_scene;
 
 pub use error::ViewerError;
-pub use history::{History, Quantiles};
 pub use flow::Flow;
+pub use history::{History, Quantiles};
 pub use messages::{Kind, Message, Messages};
 pub use orbit::{Orbit, Ray, ray};
 pub use place::Place;

@@ -23,7 +23,11 @@ fn choose(hand: &mut Hand, name: &str) {
     hand.tap(&key).unwrap();
     let begins = |hand: &mut Hand| current(hand).is_some_and(|run| run.scene.name == name);
     assert!(hand.until(LONG, begins), "{name}: {:?}", said(hand));
-    assert!(hand.until(LONG, |hand| !hand.app.viewer().unwrap().is_loading()) && hand.steps(2, LONG), "{:?}", said(hand));
+    assert!(
+        hand.until(LONG, |hand| !hand.app.viewer().unwrap().is_loading()) && hand.steps(2, LONG),
+        "{:?}",
+        said(hand)
+    );
 }
 
 #[test]

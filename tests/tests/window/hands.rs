@@ -89,7 +89,8 @@ impl Table {
     }
 
     fn button(&mut self, at: Pos2, pressed: bool) {
-        let button = Event::PointerButton { pos: at, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE };
+        let button =
+            Event::PointerButton { pos: at, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE };
         self.frame(vec![Event::PointerMoved(at), button]);
     }
 
@@ -199,9 +200,8 @@ fn a_person_holds_a_body_and_places_a_hose() {
         [at[0].as_f64().unwrap_or(f64::NAN), at[1].as_f64().unwrap_or(f64::NAN)]
     };
     let [left, top, right, bottom] = user.rect("picture");
-    let on_screen = |[x, y]: [f64; 2]| {
-        [left + (x * f64::from(right - left)) as i16, top + (y * f64::from(bottom - top)) as i16]
-    };
+    let on_screen =
+        |[x, y]: [f64; 2]| [left + (x * f64::from(right - left)) as i16, top + (y * f64::from(bottom - top)) as i16];
     let from = seen(&user);
     user.screen.point(on_screen(from));
     user.screen.button(LEFT, true);

@@ -313,7 +313,9 @@ impl Session {
     /// # Errors
     /// If the device is lost.
     pub fn read_bodies(&mut self) -> Result<BodyMotion, GpuError> {
-        let Some(BodyBuffers { states, reactions }) = &self.recorded.bodies else { return Ok(BodyMotion::default()) };
+        let Some(BodyBuffers { states, reactions, .. }) = &self.recorded.bodies else {
+            return Ok(BodyMotion::default());
+        };
         Ok(BodyMotion { states: self.engine.read(states)?, reactions: self.engine.read(reactions)? })
     }
 
@@ -324,7 +326,7 @@ impl Session {
         if motion.states.len() != has {
             return;
         }
-        if let Some(BodyBuffers { states, reactions }) = &self.recorded.bodies {
+        if let Some(BodyBuffers { states, reactions, .. }) = &self.recorded.bodies {
             self.engine.write(states, &motion.states);
             self.engine.write(reactions, &motion.reactions);
         }

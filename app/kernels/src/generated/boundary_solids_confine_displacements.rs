@@ -162,44 +162,44 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "bd778bec12e71539c089961e2095873d238397b82ce239d22995fbb3d6136e4d",
+    hash: "f2d611c8cda9511d6d6bc5c9db10afe35febf66bd6c2deddd1b1c3d575de7ad0",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 45444, bytes: 45036 },
+    spirv: Spirv::Packed { pack: PACK, first: 45444, bytes: 46164 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "0fb154fb6fd8fd303b1769ba8a6298d1618adcdd951d190ea61cc9329b82584a",
+    hash: "6624c21692145a27a55dc3f8a79a570eeebcc138693912779ef9bc5bf853a3e9",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     name: "ConfineDisplacements+BODIES",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 90480, bytes: 49664 },
+    spirv: Spirv::Packed { pack: PACK, first: 91608, bytes: 49664 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "4df6427010dcd7415af4538fe997de3a8b361edeeaaf37e1d919b4d921efb194",
+    hash: "33b65862616bc80c52cb618332223ca88ecbadb73c7f9ae7e5df83bef556fd63",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+BODIES+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 140144, bytes: 49272 },
+    spirv: Spirv::Packed { pack: PACK, first: 141272, bytes: 50384 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "2fa224415d9b9e28ca51e96f3787248e0fcb06d877b916bc000f0b10a6c975dd",
+    hash: "f1fb1cbcf3ea67b8b05fd231970685ba06fb57bcf06de6af86b46e5c392299cc",
 };

@@ -221,109 +221,109 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "c4cbf5adedea2040d7572bf7598703ac48ac19b23f6a95ac5e6a0f9bedce20c1",
+    hash: "ec6185bfef4369b8c6c768db3e7a41f72707500aeed28e0d9e59b7793069daf5",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "ApplyPressure+RELAXED_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 8356, bytes: 7804 },
+    spirv: Spirv::Packed { pack: PACK, first: 8356, bytes: 8220 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "d36ffbcacc7d0d056c8dc1b9b5ad3f578d1be080256e3e209505187fb7010fe1",
+    hash: "115cfdbd4bc2ed7b75782ebfa254dad5918c007d35ec84aa3e0d5a2aaaab0bc1",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "ApplyPressure+HALF_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 16160, bytes: 7884 },
+    spirv: Spirv::Packed { pack: PACK, first: 16576, bytes: 8300 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "6427445067c4436623303caf11cc2fccc5792cf5afdd50bb78e42ca5beca4ae6",
+    hash: "687a49729d99aab0b5f3c6871634fbb87101c4c121fef181850709e69192308a",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     name: "ApplyPressure+WALLS",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 24044, bytes: 12112 },
+    spirv: Spirv::Packed { pack: PACK, first: 24876, bytes: 12112 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "8eab07df3b0079f9b1caf385cb60dc94a597e60889517c34e0115afa6191fe9d",
+    hash: "b19bd1bae0ead00252d7209e05c1691a862aea3b8bca9378b7e914bcc3745774",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ApplyPressure+WALLS+RELAXED_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 36156, bytes: 11508 },
+    spirv: Spirv::Packed { pack: PACK, first: 36988, bytes: 12004 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "3590863a70b96a60c899e29086ea14d5c613ad7cb6757b0953873f4cd9b25b1c",
+    hash: "f799fb500cf51572fbadca77348571a202c876ec19205a39f35681e8cefd2a91",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ApplyPressure+WALLS+HALF_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 47664, bytes: 11604 },
+    spirv: Spirv::Packed { pack: PACK, first: 48992, bytes: 12100 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "086950f9643bb54d009ece0fbc4648cbee4130abff3a664aeca5f626d688c6d1",
+    hash: "701091a6c0d5c2a659134881131f777342e3cd3f1330a86af48bdf65d6ebcb76",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     name: "ApplyPressure+SOLID_WALLS",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 59268, bytes: 15760 },
+    spirv: Spirv::Packed { pack: PACK, first: 61092, bytes: 15760 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "9717b7fa343389994a323e9bfc1d80dd65259266bf165b1a8b5ee93e5e575579",
+    hash: "324d3af175cd422d544bb6e2a5224da2250040066579e8c44aa1cff9efb388b6",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ApplyPressure+SOLID_WALLS+RELAXED_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75028, bytes: 15156 },
+    spirv: Spirv::Packed { pack: PACK, first: 76852, bytes: 15652 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "6f35653300f3d93765e799f8f8a6ec90c66f104b2f85344fbf77af5d47271980",
+    hash: "0e22f6bc98a06d06df34ab415a41555a06012d6a4045f3c2bf78d8119c0c9429",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ApplyPressure+SOLID_WALLS+HALF_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 90184, bytes: 15252 },
+    spirv: Spirv::Packed { pack: PACK, first: 92504, bytes: 15748 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "e4549a706b2091d90b777a3cb9f9c5ad01d91b60999d9d1dc3609d6971b5356a",
+    hash: "a1db31861a80d3a546c5db61be3c589898652bb10c1bdb4749594df40d19debc",
 };

@@ -287,226 +287,226 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e060d2f9a7a28d6b29e11f4efe0fc080b48d28732ea69828c0b97614760c9821",
+    hash: "dacd7dbb095d03fb1ebb96013feb802ade026993ae8fa51d8610b99aceddf8b4",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14964, bytes: 14440 },
+    spirv: Spirv::Packed { pack: PACK, first: 14964, bytes: 15380 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c5a62d9a19be6d90dacd53d9323edc3fba0d1d57b45b99b74649a7fad4885cd5",
+    hash: "acadc40aaba5bb0fe51889899ded2b8fd7a40190d9c5c7d709f708805f98a582",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29404, bytes: 14528 },
+    spirv: Spirv::Packed { pack: PACK, first: 30344, bytes: 15468 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b9845b5dbdc41cf5da22c66f874f65d96090bc2ec204ca3db8c3d09d451ea307",
+    hash: "2b132a54df0678987a7034a76cebdc5973db2b344d3914980584828063e155c2",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 43932, bytes: 15960 },
+    spirv: Spirv::Packed { pack: PACK, first: 45812, bytes: 15960 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3a9056303516f969965660fbba196ad046af2a1e0767554d387e3e93031c26e6",
+    hash: "90712939f81d4a1dbb633592b4ada0710db15fffd6d35ab745df1d3daf9de8b7",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 59892, bytes: 15628 },
+    spirv: Spirv::Packed { pack: PACK, first: 61772, bytes: 16568 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2a01e2bd691ca253b7faa6dffc30d0c8198a819f4b2ef5ccb190995c6627019f",
+    hash: "f4cb896816b7310a61fbe88d11a366f9e12689a0a700a98ac1dafc37daa91fd3",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75520, bytes: 15736 },
+    spirv: Spirv::Packed { pack: PACK, first: 78340, bytes: 16676 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "30fef905ffd46a2714da87643307cda550a8f2ab9541393156ead8da45682148",
+    hash: "37475f18c340c88ffd1b563a5610a5fb7673aa028a178534332bd51180ee1d03",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     name: "CorrectPositions+WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 91256, bytes: 17256 },
+    spirv: Spirv::Packed { pack: PACK, first: 95016, bytes: 17256 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "62516abf4c1237c353d7232ce737fe20e20d623e463608af88886f2bffb6f924",
+    hash: "0e7a9151cbfa6353dbf061ffc002e251bbba5587951a9fd537279817709d1035",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 108512, bytes: 16732 },
+    spirv: Spirv::Packed { pack: PACK, first: 112272, bytes: 17656 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7dad0850dc272c3ad23cb00dab7942b0b9bb58204e2db5282d269a20d22325f1",
+    hash: "7fa9b68d859dd8e35407def1fc24d55be8c6e1586f78ee714acc2737e4a1324a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 125244, bytes: 16820 },
+    spirv: Spirv::Packed { pack: PACK, first: 129928, bytes: 17744 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "24cc2de1ac274d7079698a55b9de840a0da2bce4aee447cf0e6f57ffa9624bb8",
+    hash: "4aae3de126fceb71d9f23323883bf8cee625627a966c503f09049a82ff044fe2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 142064, bytes: 18236 },
+    spirv: Spirv::Packed { pack: PACK, first: 147672, bytes: 18236 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ff61471e1768f758c4637effd1a18bcea387b23edd4c532bc0e8231dfb4908f6",
+    hash: "d49793c61ddf5e2a571296e8bcff80e6196ef77255a655345d6d482ea4a43539",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 160300, bytes: 17904 },
+    spirv: Spirv::Packed { pack: PACK, first: 165908, bytes: 18828 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "13dffd2a8c67a55fed935fff36b88fb500778bf29509614d627de8855294c4f5",
+    hash: "fef06e40abb210cbe6e11e22173034bc4b593b7601b4ad35a3fe36f660b84247",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 178204, bytes: 18028 },
+    spirv: Spirv::Packed { pack: PACK, first: 184736, bytes: 18952 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ce6f8070a9dc98da6950bd4c9572be1ab7d28e86fdf1f6c3a58458e06abc0867",
+    hash: "62ce1b7b11b4dc0e3a5bd67d1b57d0b6a352144e24ebacdbc229a50d4303821c",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "CorrectPositions+SOLID_WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 196232, bytes: 21204 },
+    spirv: Spirv::Packed { pack: PACK, first: 203688, bytes: 21204 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c1b160255953c232fcf8da1536c2b758f906ccf375ee459b4d1ef105ea5df35b",
+    hash: "4542062627b17dfa52b3de4f4e4babe4926481dadb275daad8b72977b3056b4d",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 217436, bytes: 20680 },
+    spirv: Spirv::Packed { pack: PACK, first: 224892, bytes: 21604 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "45f2143f12692e12b7cbb6feb10a968cac55d2ba25bdc39ac4e3eb3b002905c4",
+    hash: "55c2ae88039e08fffe76eb8124f3dc53c384e5332c71b870660bbb5d7ef56953",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 238116, bytes: 20768 },
+    spirv: Spirv::Packed { pack: PACK, first: 246496, bytes: 21692 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "25aaff5ceae0d15165f769571e8e2665a26b11fc8e1b168491689c85f02f3b3a",
+    hash: "82a3e1b7a8d6b32e50308976544cfbf140520b2fce03e8d00ea6b05f14c308bc",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 258884, bytes: 22184 },
+    spirv: Spirv::Packed { pack: PACK, first: 268188, bytes: 22184 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1654a1bca0868993cade00eef25617d853932a651f149a9848b76dace8b1635d",
+    hash: "d4ae8a2c9449b6cb8ff3993e60477c15881d4dd57ac3fc682d2132cce5fa4693",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 281068, bytes: 21852 },
+    spirv: Spirv::Packed { pack: PACK, first: 290372, bytes: 22776 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2edb045d3692180296c4cd1ec81423089ca768b063a863336902ce386ef473b2",
+    hash: "3f256ab0dc96bb8ffc6ebcb713f13e9887bef877338dee5389c72824599c7d07",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 302920, bytes: 21976 },
+    spirv: Spirv::Packed { pack: PACK, first: 313148, bytes: 22900 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7d9c52bd88562d2710d0783cca408e298ea649c552284ddd49130caa2e3fdbae",
+    hash: "4f369f9385ae8abc5e008b65525ad07945696da63f18cfb63b2b1f4000134280",
 };
