@@ -169,7 +169,7 @@ pub(crate) fn a_body_is_dragged_to_where_the_hand_is(device: &Device) {
     };
     let begin_m = target_m.distance(grip_m(&first[0]));
     let mut left = Vec::new();
-    for _ in 0..96 {
+    for _ in 0..300 {
         pass.write(&mut engine, &scene, &drag);
         engine.run(&[pass.recording.id(), recorded.step.id()], &[]).or_raise();
         let states = engine.read(&bodies.states).or_raise();
@@ -178,5 +178,6 @@ pub(crate) fn a_body_is_dragged_to_where_the_hand_is(device: &Device) {
     // Critically damped: near the target's side all the way, 2/e left after tau (12 steps), 5/e^4 after 4 tau.
     ensure!((0.65..0.85).contains(&left[11]), "{} of the way is left after tau", left[11]);
     ensure!((0.04..0.16).contains(&left[47]), "{} is left after four tau", left[47]);
-    ensure!(left[95] < 0.02 && left.is_sorted_by(|a, b| *b < a + 1e-3), "{left:?}");
+    // Held by an edge it swings around the hand, and pulls at that until the swing is over.
+    ensure!(left[95] < 0.04 && left[299] < 0.012 && left.is_sorted_by(|a, b| *b < a + 1e-3), "{left:?}");
 }
