@@ -7,7 +7,6 @@ mod gravity;
 #[path = "../../../tests/src/python.rs"]
 mod python;
 mod report;
-mod scenes;
 mod touched;
 
 use std::path::Path;
