@@ -213,7 +213,7 @@ fn time_frames(
 /// One frame, alone on the GPU, and how long it was away.
 fn time_frame(running: &mut ViewerScene) -> Result<(FrameReport, f64), ViewerError> {
     let handed = Instant::now();
-    let frame = running.run(&ViewerFrame { steps: 1, ..ViewerFrame::default() }, None)?;
+    let frame = running.run(&ViewerFrame { steps: 1, ..ViewerFrame::default() }, None, None)?;
     while handed.elapsed() < LONGEST_FRAME {
         let back = running.session.reports().into_iter().find(|back| back.report.frame == frame);
         if let Some(back) = back {

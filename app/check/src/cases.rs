@@ -124,11 +124,12 @@ impl Case {
         self.positions.iter().map(|p| quantization.quantize(p.position_m.map(|x| x * inverse_support_per_m))).collect()
     }
 
-    /// Where those quantized positions are, m: the positions, rounded to steps.
+    /// Where pairs see those quantized positions, m: within a step of the positions.
     pub fn quantized_m(&self, quantization: Quantization) -> Vec<DVec3> {
         let support_m = f64::from(kernel_params().support_m);
-        let near =
-            |(quantized, position_m): (_, DVec3)| quantization.near(quantized, position_m / support_m) * support_m;
+        let near = |(quantized, position_m): (_, DVec3)| {
+            quantization.near(quantization.of_pairs(quantized), position_m / support_m) * support_m
+        };
         self.quantized_positions(quantization).into_iter().zip(self.positions_m()).map(near).collect()
     }
 

@@ -29,6 +29,10 @@ macro_rules! for_each_known_answer {
                 step_bodies_matches_its_twin: ["step_bodies"],
                 gather_reactions_matches_its_twin: ["gather_reactions"],
             }
+            drag_body {
+                drag_body_matches_its_twin: ["drag_body"],
+                a_body_is_dragged_to_where_the_hand_is: ["drag_body"],
+            }
             body_reactions {
                 bodies_take_back_what_stops_paths: ["collide_solids"],
                 bodies_take_back_what_confines_displacements: ["confine_displacements"],

@@ -7,6 +7,7 @@
 mod body_motion;
 pub mod boundary;
 pub mod drag;
+pub mod drag_body;
 pub mod emitters;
 pub mod forces;
 pub mod grid;

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use brooklet_fluid::Scene;
 use brooklet_gpu::Tier;
 
+use crate::place::Place;
+
 /// Something asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
@@ -18,6 +20,8 @@ pub enum Action {
     Open(String),
     /// The scene with other settings.
     Apply(Box<Scene>),
+    /// What the next touch of the picture places, or nothing.
+    Place(Option<Place>),
     /// Simulated seconds a second.
     Speed(f64),
     /// A picture of the fluid, without what stands over it.

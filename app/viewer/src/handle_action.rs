@@ -13,7 +13,7 @@ use crate::ladder::RUNGS;
 use crate::messages::Kind;
 use crate::recorder::Recorder;
 use crate::viewer::Viewer;
-use crate::viewer_scene::{Start, needs_reset};
+use crate::viewer_scene::{Start, needs_reset, only_grows};
 
 impl Viewer {
     /// Does what is asked for; gives back what only the window can do.
@@ -28,6 +28,7 @@ impl Viewer {
             Action::Reset => self.reset(),
             Action::Open(name) => self.open(&name),
             Action::Apply(scene) => self.apply(*scene),
+            Action::Place(place) => self.hands.placing = place,
             Action::Speed(speed) => self.playback.clock.speed = speed,
             Action::Screenshot => {
                 self.playback.screenshot = Some(free_name(&self.settings.folder, &self.name(), "png"));
@@ -82,7 +83,8 @@ impl Viewer {
     /// particles where more does, and where the particles themselves would be others, at the next reset.
     pub fn apply(&mut self, scene: Scene) {
         let Some(current) = &mut self.current else { return };
-        if needs_reset(&current.scene, &scene) {
+        let grows = only_grows(&current.scene, &scene);
+        if needs_reset(&current.scene, &scene) && !grows {
             let (running, wanted) = (&current.scene, &scene);
             let parts = [
                 ("spacing", running.spacing_m != wanted.spacing_m),
@@ -94,12 +96,15 @@ impl Viewer {
             return;
         }
         self.waiting.clear();
-        match current.apply_live(&scene, &RUNGS[self.rung]) {
-            Ok(true) => self.note("settings"),
-            Ok(false) => {
-                let start = Start::Carry(current.session.slot_count());
-                self.load(scene, start, "settings");
-            }
+        let rung = &RUNGS[self.rung];
+        let applied = if grows { Ok(false) } else { current.apply_live(&scene, rung) };
+        let start = match applied {
+            Ok(true) => return self.note("settings"),
+            Ok(false) => current.start_in(&rung.scene(&scene)),
+            Err(error) => Err(error),
+        };
+        match start {
+            Ok(start) => self.load(scene, start, "settings"),
             Err(error) => self.messages.notify(Kind::Error, error.to_string()),
         }
     }

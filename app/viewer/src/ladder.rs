@@ -57,10 +57,6 @@ const POINTS: Rung = Rung { name: "particles instead of water", points: true, ..
 pub const RUNGS: [Rung; 14] =
     [BEST, COARSE, SINGLE, HALF, SMALL, QUARTER, PLAIN, SMALLER, ROUGH, FEWER, EIGHTH, SIXTEENTH, SMALLEST, POINTS];
 
-/// Scenes whose precision is kept on every rung: `brooklet study precision` finds more energy off in them than it allows
-/// (`app/study/FINDINGS.md`).
-const KEEPS_PRECISION: [&str; 1] = ["falling-ball"];
-
 /// Smoothing of plainer water reaches so many drawn pixels at most.
 const PLAIN_REACH_PX: u32 = 16;
 /// Fewer particles than these are no fluid any more.
@@ -86,8 +82,7 @@ impl Rung {
             let least = scene.particle_count() as u32;
             scene.capacity = scene.capacity.map(|slots| ((f64::from(slots) / fewer).ceil() as u32).max(least));
         }
-        let keeps_precision = KEEPS_PRECISION.contains(&scene.name.as_str());
-        if self.lower_precision && scene.solver.precision == Precision::Full && !keeps_precision {
+        if self.lower_precision && scene.solver.precision == Precision::Full {
             scene.solver.precision = Precision::Relaxed;
         }
         if self.fewer_substeps {
@@ -205,10 +200,5 @@ mod tests {
         let [pbf, sph, none] = ["pbf", "sph", "none"].map(last);
         let has = |said: &str| ["lower precision", "half the substeps"].map(|words| said.contains(words));
         assert_eq!([has(&pbf), has(&sph), has(&none)], [[true, true], [true, false], [false, false]]);
-        for name in KEEPS_PRECISION {
-            let (scene, last) = (Scene::load(name, &[]).unwrap(), RUNGS[RUNGS.len() - 1]);
-            assert_eq!(last.scene(&scene).solver.precision, Precision::Full);
-            assert_eq!(has(&last.given_up(&scene)), [false, true]);
-        }
     }
 }

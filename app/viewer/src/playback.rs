@@ -14,7 +14,9 @@ use brooklet_render::surface::marching_cubes::MeshRoom;
 use crate::ViewerError;
 use crate::clock::{Clock, steps_within};
 use crate::drag::PendingDrag;
+use crate::flow::Flow;
 use crate::governor::FrameCost;
+use crate::grip::PendingGrip;
 use crate::in_flight::{InFlightFrame, InFlightFrames};
 use crate::jobs::Jobs;
 use crate::messages::{Kind, Messages};
@@ -42,6 +44,10 @@ pub struct Playback {
     pub frames: u64,
     /// How the fluid is dragged in the next frame.
     pub drag: Option<PendingDrag>,
+    /// How a body is.
+    pub grip: Option<PendingGrip>,
+    /// What came and went.
+    pub flow: Flow,
     in_flight: InFlightFrames,
     /// Came back, and wait for the times of what was painted over them.
     returned: VecDeque<(SessionReport, InFlightFrame)>,
@@ -74,6 +80,8 @@ impl Playback {
             jobs: Jobs::default(),
             frames: 0,
             drag: None,
+            grip: None,
+            flow: Flow::default(),
             in_flight: InFlightFrames::default(),
             returned: VecDeque::new(),
             painted: VecDeque::new(),
@@ -248,6 +256,9 @@ impl Playback {
                 self.record(messages, |recorder| recorder.particles(&points, in_flight.handed));
             }
         }
+        if let Some(stats) = stats {
+            self.flow.take(stats);
+        }
         self.stats = stats.or(self.stats);
         let mesh = self.mesh;
         self.record(messages, |recorder| recorder.frame(frame, mesh.as_ref(), in_flight.handed));
@@ -309,9 +320,10 @@ impl Playback {
         let measures = every > 0 && steps > 0 && done >= self.measured_step + every;
         let records = self.recorder.as_mut().is_some_and(Recorder::wants_picture);
         let advance_s = f64::from(steps) * dt_s;
-        let drag = if steps > 0 { self.drag.take() } else { None };
+        let (drag, grip) = if steps > 0 { (self.drag.take(), self.grip.take()) } else { (None, None) };
         let request = ViewerFrame { steps, measures, screenshot, records };
-        let frame = current.run(&request, drag.map(|drag| drag.over(advance_s)).as_ref())?;
+        let drag = drag.map(|drag| drag.over(advance_s));
+        let frame = current.run(&request, drag.as_ref(), grip.map(|grip| grip.over(advance_s)).as_ref())?;
         if measures {
             self.measured_step = done;
         }

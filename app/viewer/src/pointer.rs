@@ -17,6 +17,12 @@ pub struct Pointing {
     pub zoomed: f64,
     /// Where the fluid is dragged (the middle of the way), and by how much the hand moved.
     pub drag: Option<(DVec2, DVec2)>,
+    /// Where the main button (or one finger) came down on the picture.
+    pub pressed: Option<DVec2>,
+    /// Where it last was while it was down.
+    pub main_at: Option<DVec2>,
+    /// Whether it is down at the frame's end.
+    pub is_held: bool,
 }
 
 /// Points of a mouse wheel that come nearer by a factor of e.
@@ -27,6 +33,8 @@ const POINTS_A_FACTOR: f32 = 400.0;
 #[derive(Clone, Debug, Default)]
 pub struct Strokes {
     held: Option<Held>,
+    /// Where the main button came down last in the frame.
+    pressed: Option<Pos2>,
 }
 
 /// A button that went down on the picture.
@@ -47,12 +55,14 @@ impl Strokes {
     /// The ways of a frame. `is_free` says of a place whether the picture is what is there.
     fn follow(&mut self, events: &[Event], is_free: impl Fn(Pos2) -> bool) -> Vec<Stroke> {
         let mut strokes = Vec::new();
+        self.pressed = None;
         for event in events {
             let to = match *event {
                 Event::PointerMoved(to) => to,
                 Event::PointerButton { pos, button, pressed: true, modifiers: Modifiers { shift, .. } } => {
                     if self.held.is_none() && is_free(pos) {
                         self.held = Some(Held { button, shift, at: pos });
+                        self.pressed = (button == PointerButton::Primary).then_some(pos).or(self.pressed);
                     }
                     continue;
                 }
@@ -90,12 +100,22 @@ impl Pointing {
             rect.contains(at) && !is_covered
         };
         let events = response.ctx.input(|input| input.events.clone());
-        pointing.take(rect, &strokes.follow(&events, is_free));
+        pointing.take_frame(rect, strokes, &events, is_free);
         if response.hovered() {
             let (wheel, pinch) = response.ctx.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
             pointing.zoomed = f64::from((wheel / POINTS_A_FACTOR).exp() * pinch);
         }
         pointing
+    }
+
+    fn take_frame(&mut self, rect: Rect, strokes: &mut Strokes, events: &[Event], is_free: impl Fn(Pos2) -> bool) {
+        let ways = strokes.follow(events, is_free);
+        self.take(rect, &ways);
+        let held = strokes.held.filter(|held| held.button == PointerButton::Primary);
+        let last = ways.iter().rev().find(|stroke| stroke.held.button == PointerButton::Primary);
+        self.is_held = held.is_some();
+        self.pressed = strokes.pressed.map(|at| place(rect, at));
+        self.main_at = held.map(|held| held.at).or(last.map(|stroke| stroke.to)).map(|at| place(rect, at));
     }
 
     fn take(&mut self, rect: Rect, strokes: &[Stroke]) {
@@ -111,9 +131,9 @@ impl Pointing {
         let mut drags = strokes.iter().filter(is_drag);
         if let Some(first) = drags.next() {
             let last = drags.next_back().unwrap_or(first);
-            let middle = (first.held.at + (last.to - first.held.at) * 0.5 - rect.min) / rect.size();
+            let middle = place(rect, first.held.at + (last.to - first.held.at) * 0.5);
             let moved = strokes.iter().filter(is_drag).map(|stroke| parts(rect, stroke.to - stroke.held.at)).sum();
-            self.drag = Some((DVec2::new(f64::from(middle.x), f64::from(middle.y)), moved));
+            self.drag = Some((middle, moved));
         }
     }
 
@@ -131,6 +151,12 @@ impl Pointing {
         }
         before != *orbit
     }
+}
+
+/// In parts of a rectangle's width and height.
+fn place(rect: Rect, at: Pos2) -> DVec2 {
+    let share = (at - rect.min) / rect.size();
+    DVec2::new(f64::from(share.x), f64::from(share.y))
 }
 
 /// In parts of a rectangle's height.
@@ -152,7 +178,7 @@ mod tests {
 
     fn pointed(strokes: &mut Strokes, events: &[Event]) -> Pointing {
         let mut pointing = Pointing::default();
-        pointing.take(RECT, &strokes.follow(events, |at| RECT.contains(at)));
+        pointing.take_frame(RECT, strokes, events, |at| RECT.contains(at));
         pointing
     }
 
@@ -165,7 +191,10 @@ mod tests {
             Event::PointerMoved(to),
             button(PointerButton::Primary, to, false),
         ];
-        let (at, moved) = pointed(&mut strokes, &quick).drag.unwrap();
+        let pointing = pointed(&mut strokes, &quick);
+        assert!(!pointing.is_held && pointing.pressed.is_some_and(|at| at.abs_diff_eq(DVec2::new(0.25, 0.5), 1e-6)));
+        assert!(pointing.main_at.is_some_and(|at| at.abs_diff_eq(DVec2::new(0.5, 0.4), 1e-6)), "{pointing:?}");
+        let (at, moved) = pointing.drag.unwrap();
         assert!(at.abs_diff_eq(DVec2::new(0.375, 0.45), 1e-6), "the middle of the way: {at}");
         assert!(moved.abs_diff_eq(DVec2::new(0.5, -0.1), 1e-6), "{moved}");
         assert!(strokes.held.is_none());
@@ -184,6 +213,22 @@ mod tests {
         let end = pointed(&mut strokes, &[button(PointerButton::Secondary, at(650.0), false)]);
         assert_eq!((end.turned, end.drag), (DVec2::ZERO, None));
         assert!(strokes.held.is_none());
+    }
+
+    #[test]
+    fn the_main_button_is_held_where_it_is_though_it_is_still() {
+        let mut strokes = Strokes::default();
+        let at = pos2(300.0, 150.0);
+        let down = pointed(&mut strokes, &[button(PointerButton::Primary, at, true)]);
+        let middle = Some(DVec2::splat(0.5));
+        assert_eq!((down.pressed, down.main_at, down.is_held, down.drag), (middle, middle, true, None));
+        let still = pointed(&mut strokes, &[]);
+        assert_eq!((still.pressed, still.main_at, still.is_held), (None, middle, true));
+        let up = pointed(&mut strokes, &[button(PointerButton::Primary, at, false)]);
+        assert_eq!((up.main_at, up.is_held), (middle, false));
+        // Another button is not the main one.
+        let other = pointed(&mut strokes, &[button(PointerButton::Secondary, at, true)]);
+        assert_eq!((other.pressed, other.main_at, other.is_held), (None, None, false));
     }
 
     #[test]

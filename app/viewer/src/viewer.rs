@@ -12,8 +12,9 @@ use egui::{Context, FullOutput, PlatformOutput, RawInput, TextureId, TexturesDel
 use crate::ViewerError;
 use crate::action::{self, Action};
 use crate::device_speed::{DeviceSpeed, Work, default_budget_ms};
-use crate::drag::DragInput;
+use crate::flow::Flow;
 use crate::governor::Governor;
+use crate::hands::Hands;
 use crate::ladder::RUNGS;
 use crate::loading::Loading;
 use crate::messages::{Kind, Messages};
@@ -82,7 +83,7 @@ pub struct Viewer {
     /// What each rung comes to, for the scene and the window as they are.
     pub(crate) works: Vec<Work>,
     pub(crate) waiting: Vec<String>,
-    drag_input: DragInput,
+    pub(crate) hands: Hands,
     modules: NewModules,
     /// Room for the surface's mesh beyond what a scene begins with.
     mesh_room: Option<MeshRoom>,
@@ -134,7 +135,7 @@ impl Viewer {
             told_rung: None,
             works: Vec::new(),
             waiting: Vec::new(),
-            drag_input: DragInput::default(),
+            hands: Hands::default(),
             modules: NewModules::default(),
             mesh_room: None,
             mesh_room_ends: false,
@@ -159,6 +160,11 @@ impl Viewer {
     /// The last measurement.
     pub fn stats(&self) -> Option<&brooklet_fluid::Stats> {
         self.playback.stats.as_ref()
+    }
+
+    /// What came and went since the scene began.
+    pub fn flow(&self) -> Flow {
+        self.playback.flow
     }
 
     /// Whether the simulation stands.
@@ -272,7 +278,7 @@ impl Viewer {
         for action in panel_output.actions {
             for_window.extend(self.handle_action(action));
         }
-        self.steer(&panel_output.pointing);
+        self.reach(&panel_output.pointing);
         self.follow_room(panel_output.room_px);
         self.hold_budget();
         self.make_mesh_room();
@@ -310,6 +316,9 @@ impl Viewer {
             capture: self.playback.recorder.as_ref().map(|recorder| (recorder.path(), recorder.bytes())),
             messages: &self.messages,
             waiting: &self.waiting,
+            flow: &self.playback.flow,
+            placing: self.hands.placing,
+            tether: self.current.as_ref().and_then(|current| self.hands.tether(current)),
         };
         let panels = &mut self.panels;
         let context = self.context.clone();
@@ -381,6 +390,9 @@ impl Viewer {
                 {
                     self.messages.notify(Kind::Error, error.to_string());
                 }
+                if matches!(desc.start, Start::Scene) {
+                    self.playback.flow = Flow::default();
+                }
                 self.playback.begin(&current, carries, &mut self.messages);
                 for repair in current.scene.repairs() {
                     self.messages.notify(Kind::Warning, repair);
@@ -391,6 +403,7 @@ impl Viewer {
                 self.picture = current.picture().map(|picture| self.presenter.show(picture));
                 self.panels.draft = Some(Draft::new(current.scene.clone()));
                 self.waiting.clear();
+                self.hands.let_go();
                 self.current = Some(current);
                 self.governor.settle();
                 self.note(&why);
@@ -410,25 +423,6 @@ impl Viewer {
         if let Some(desc) = self.next.take() {
             self.load(desc.scene, desc.start, &desc.why);
         }
-    }
-
-    fn steer(&mut self, pointing: &crate::pointer::Pointing) {
-        let Some(orbit) = &mut self.orbit else { return };
-        self.steered |= pointing.steer(orbit);
-        if !self.steered
-            && let Some(current) = &self.current
-        {
-            self.orbit = Some(Orbit::of(&self.framed(&current.scene)));
-        }
-        let (Some(orbit), Some(current)) = (&self.orbit, &mut self.current) else { return };
-        let camera = orbit.camera();
-        if current.view().camera != camera {
-            if let Err(error) = current.look_from(camera) {
-                self.messages.notify(Kind::Error, error.to_string());
-            }
-            self.playback.redraw();
-        }
-        self.playback.drag = self.drag_input.pending(pointing, current.view());
     }
 
     /// A picture of the room's size, once the room has kept it for a moment.
@@ -466,10 +460,7 @@ impl Viewer {
             current.session.set_gravity(gravity_m_s2);
         }
         let advanced = self.playback.advance(current, self.governor.budget_ms)?;
-        // While the simulation stands nothing is moved by hand, nor later for it.
-        if self.playback.drag.is_none() || self.playback.paused {
-            self.drag_input.restart();
-        }
+        self.hands.rest(&self.playback);
         Ok(advanced)
     }
 

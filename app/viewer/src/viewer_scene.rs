@@ -1,18 +1,23 @@
 //! A scene on the GPU, as the window shows it: simulated, measured and drawn.
 
 use brooklet_fluid::drag::Drag;
+use brooklet_fluid::drag_body::BodyDrag;
 use brooklet_fluid::particles::{ParticleSet, resample};
+use brooklet_fluid::scene::poses_before;
 use brooklet_fluid::state::State;
 use brooklet_fluid::{BodyMotion, FrameRequest, ParticleSource, Scene, Session, SessionRecorder};
 use brooklet_gpu::{FrameReport, Gpu, RecordingId, ResourceId, Tier};
-use brooklet_kernels::MeshCounts;
+use brooklet_kernels::{MeshCounts, SolidPose};
 use brooklet_render::frame::FrameValues;
 use brooklet_render::left_out::{self, Absent};
 use brooklet_render::surface::marching_cubes::MeshRoom;
 use brooklet_render::{Camera, Concession, FrameOptions, FramePasses, ScenePlan, View, start_stepping_down};
+use glam::{DQuat, DVec2, DVec3};
 
 use crate::ViewerError;
 use crate::ladder::Rung;
+use crate::orbit::ray;
+use crate::pick::{Hit, PickSolid, pick};
 use crate::reload::NewModules;
 
 /// What a scene is made from.
@@ -98,6 +103,9 @@ pub struct ViewerScene {
     view: View,
     options: FrameOptions,
     passes: FramePasses,
+    solids: Vec<PickSolid>,
+    /// Where they were in the last picture that came back.
+    poses: Vec<SolidPose>,
 }
 
 impl ViewerScene {
@@ -161,8 +169,9 @@ impl ViewerScene {
         if resampled {
             session.relax_start()?;
         }
-        let concessions = Vec::new();
-        Ok(ViewerScene { scene: scene.clone(), session, left_out, concessions, view, options, passes })
+        let (concessions, solids) = (Vec::new(), PickSolid::all(&simulated));
+        let poses = poses_before(&simulated, &BodyMotion::first(&simulated).states);
+        Ok(ViewerScene { scene: scene.clone(), session, left_out, concessions, view, options, passes, solids, poses })
     }
 
     /// Takes over the state of `old`, the same particles in another plan, without a way over the host.
@@ -225,13 +234,20 @@ impl ViewerScene {
     ///
     /// # Errors
     /// If the device is lost.
-    pub fn run(&mut self, request: &ViewerFrame, drag: Option<&Drag>) -> Result<u64, ViewerError> {
+    pub fn run(
+        &mut self,
+        request: &ViewerFrame,
+        drag: Option<&Drag>,
+        drag_body: Option<&BodyDrag>,
+    ) -> Result<u64, ViewerError> {
         let particles = self.session.slot_count();
         let draw = [self.passes.next(self.session.engine_mut(), particles, true)];
         let color = Some(self.passes.color.id).filter(|_| request.records || request.screenshot);
-        let readbacks: Vec<ResourceId> = color.into_iter().chain(self.passes.readbacks()).collect();
+        let seen = color.into_iter().chain(self.poses_id());
+        let readbacks: Vec<ResourceId> = seen.chain(self.passes.readbacks()).collect();
         let request = FrameRequest {
             drag,
+            drag_body,
             steps: request.steps,
             measure: request.measures,
             then: &draw,
@@ -254,7 +270,42 @@ impl ViewerScene {
 
     /// Takes what a finished frame tells of its picture; what its mesh came to, if it had one.
     pub fn learn(&mut self, report: &FrameReport) -> Option<MeshCounts> {
+        if let Some(bytes) = self.poses_id().and_then(|id| report.readback(id)) {
+            self.poses.clear();
+            self.poses
+                .extend(bytes.chunks_exact(size_of::<SolidPose>()).map(bytemuck::pod_read_unaligned::<SolidPose>));
+        }
         self.passes.learn(report)
+    }
+
+    /// What comes back with every frame of a scene with solids: where they are.
+    fn poses_id(&self) -> Option<ResourceId> {
+        self.session.recorded().solid_poses.as_ref().map(|poses| poses.id)
+    }
+
+    /// The solid that was seen at a place of the picture, in parts of its width and height.
+    pub fn pick(&self, at: DVec2) -> Option<Hit> {
+        let ray = ray(&self.view, at);
+        pick(&self.solids, &self.poses, ray.origin_m - self.view.domain_min_m, ray.direction)
+    }
+
+    /// Where a place of a solid's frame was seen, in parts of the picture's width and height.
+    pub fn seen_at(&self, solid: usize, in_frame_m: DVec3) -> Option<DVec2> {
+        let pose = self.poses.get(solid)?;
+        let rotation = DQuat::from_array(pose.rotation.map(f64::from)).normalize();
+        self.seen(DVec3::from_array(pose.position_m.map(f64::from)) + rotation * in_frame_m)
+    }
+
+    /// Where the middles of bodies' frames were seen, likewise; of those before the camera.
+    pub fn bodies_seen(&self) -> impl Iterator<Item = DVec2> + '_ {
+        let bodies = self.solids.iter().enumerate().filter(|(_, solid)| solid.body.is_some());
+        bodies.filter_map(|(solid, _)| self.seen_at(solid, DVec3::ZERO))
+    }
+
+    /// Where a place relative to the domain's lowest corner is seen, in parts of the picture's width and height.
+    pub fn seen(&self, at_m: DVec3) -> Option<DVec2> {
+        let at_px = self.view.project(self.view.domain_min_m + at_m)?.at_px;
+        Some(at_px / DVec2::from_array(self.view.size_px.map(f64::from)))
     }
 
     /// Whether the next picture would look different though nothing moves: its surface goes from one method to the other.
@@ -277,6 +328,20 @@ impl ViewerScene {
         let measure = self.session.recorded().measure.as_ref().map(|measure| measure.recording.id());
         let drawn = self.passes.recordings().map(|draw| draw.id());
         [self.session.step_id()].into_iter().chain(measure).chain(drawn).collect()
+    }
+
+    /// How another scene, as it is simulated, goes on with these particles: on the GPU where it has as many slots, over the
+    /// host where it has not.
+    ///
+    /// # Errors
+    /// If the device is lost.
+    pub fn start_in(&mut self, simulated: &Scene) -> Result<Start, ViewerError> {
+        let slots = self.session.slot_count();
+        if simulated.slot_capacity().is_none_or(|wanted| wanted == slots) {
+            return Ok(Start::Carry(slots));
+        }
+        let State { particles, bodies, steps, time_s, .. } = self.read_state()?;
+        Ok(Start::Particles { particles, bodies, steps, simulated_s: time_s })
     }
 
     /// Waits, and copies the running scene to the host.
@@ -302,6 +367,13 @@ fn options(scene: &Scene, rung: &Rung, tier: Tier, mesh_room: Option<MeshRoom>) 
 fn plan(scene: &Scene, source: ParticleSource, view: View, options: FrameOptions) -> Result<ScenePlan, ViewerError> {
     let recorder = SessionRecorder::new(scene, source).with_relaxation().with_drag().with_samples(MOST_POINTS);
     Ok(ScenePlan::sweep(scene, recorder, Some((view, options)))?)
+}
+
+/// Whether what the particles of one scene lack in the other is room for more.
+pub fn only_grows(running: &Scene, other: &Scene) -> bool {
+    let room = |scene: &Scene| scene.slot_capacity().map_or(scene.particle_count(), u64::from);
+    let as_large = Scene { capacity: running.capacity, emitters: running.emitters.clone(), ..other.clone() };
+    room(other) > room(running) && !needs_reset(running, &as_large)
 }
 
 /// Whether the particles of one scene mean nothing in the other.

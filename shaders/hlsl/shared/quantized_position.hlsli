@@ -3,7 +3,10 @@
 // than three supports, so no cell has to be known; a step is 4h / 2^21 = 1.9e-6 h, finer than an
 // f32 coordinate 32 h or more from the domain's corner. A gather then moves half the bytes of a
 // Position, and integer differences are opposite bit by bit, so pairs push each other equally.
-// With RELAXED_PRECISION and HALF_PRECISION packed: 16 bits an axis, and lambda as f16 in the bits that are left.
+// With RELAXED_PRECISION and HALF_PRECISION packed: pairs see the top 16 bits of an axis, which stand as they are
+// subtracted, and in the 16 bits that are left is lambda as f16 where it is gathered, else the five that follow of each axis.
+// Iterations so move a particle by what they are asked to: rounded to 16 bits, what is left of each jitters, and a fall ends
+// with 1 to 2 % more energy than it has (app/study/FINDINGS.md).
 #ifndef BROOKLET_QUANTIZED_POSITION
 #define BROOKLET_QUANTIZED_POSITION
 
@@ -20,11 +23,7 @@ static const float MAX_DISPLACEMENT = 0.999;
 #define PACKED
 #endif
 
-#if defined(PACKED)
-#define QUANTIZED_BITS 16
-#else
 #define QUANTIZED_BITS 21
-#endif
 
 // From lengths in h to steps of a quantized position, rounded, as 32-bit coordinates.
 uint3 FixedPoint(float3 length_h)
@@ -37,7 +36,9 @@ uint3 FixedPoint(float3 length_h)
 uint3 UnpackCoordinates(uint2 quantized_position)
 {
 #if defined(PACKED)
-    return uint3(quantized_position.x & 0xffff0000, quantized_position.x << 16, quantized_position.y & 0xffff0000);
+    uint2 top = quantized_position;
+    return uint3((top.x & 0xffff0000) | ((top.y & 0x7c00) << 1), (top.x << 16) | ((top.y & 0x03e0) << 6),
+                 (top.y & 0xffff0000) | ((top.y & 0x001f) << 11));
 #else
     // x and z have the top 21 bits of a word each; y's top 11 bits end the first, its next the second.
     return uint3(quantized_position.x & 0xfffff800, (quantized_position.x << 21) | ((quantized_position.y & 0x7ff) << 10), quantized_position.y & 0xfffff800);
@@ -47,7 +48,9 @@ uint3 UnpackCoordinates(uint2 quantized_position)
 uint2 PackCoordinates(uint3 coordinates)
 {
 #if defined(PACKED)
-    return uint2((coordinates.x & 0xffff0000) | (coordinates.y >> 16), coordinates.z & 0xffff0000);
+    return uint2((coordinates.x & 0xffff0000) | (coordinates.y >> 16),
+                 (coordinates.z & 0xffff0000) | ((coordinates.x >> 1) & 0x7c00) | ((coordinates.y >> 6) & 0x03e0)
+                     | ((coordinates.z >> 11) & 0x001f));
 #else
     return uint2((coordinates.x & 0xfffff800) | (coordinates.y >> 21),
                  (coordinates.z & 0xfffff800) | ((coordinates.y >> 10) & 0x7ff));
@@ -79,7 +82,7 @@ typedef uint3 PairCoordinates;
 PairCoordinates CoordinatesForPairs(uint2 quantized_position)
 {
 #if defined(PACKED)
-    return quantized_position;
+    return uint2(quantized_position.x, quantized_position.y & 0xffff0000);
 #else
     return UnpackCoordinates(quantized_position);
 #endif
@@ -110,12 +113,7 @@ float3 DisplacementFrom(float3 position_m, uint2 quantized_position, SmoothingKe
 // too: pairs stay exactly opposite.
 uint2 PackLambda(uint2 quantized_position, float lambda)
 {
-    return uint2(quantized_position.x, quantized_position.y | f32tof16(lambda));
-}
-
-uint2 WithoutLambda(uint2 quantized_position)
-{
-    return uint2(quantized_position.x, quantized_position.y & 0xffff0000);
+    return uint2(quantized_position.x, (quantized_position.y & 0xffff0000) | f32tof16(lambda));
 }
 
 float UnpackLambda(uint2 quantized_position)

@@ -25,7 +25,7 @@ fn view(shop: &Workshop, scene: &[&str]) -> Command {
 }
 
 /// Where pictures of the screen are kept.
-fn gallery() -> PathBuf {
+pub fn gallery() -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("../window-test");
     std::fs::create_dir_all(&folder).unwrap();
     folder

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "4d034c943e80c37e2da8a52cd13e5327e2c94f883c42b6573688bc5657acb37e",
+    hash: "de863c069ad2d2d1a6dfba96a5ca1ebd869ccfa2600c573b34b9cb1f9b4a4391",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "953697026668e16dd8ed7ce4ea4a18575556479059943227900ba5b95bc5398c",
+    hash: "db77e5265a163ebe4921c17cd2c90be9b6b771faaa064e9aa8e4ec93d6a48f11",
 };

@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "7b415a426dea896d0ceaf19bf310b36d1c4a58f83e7f4ce5f0a8721e3da581a4",
+    hash: "4c39f2fa3c04b94d359edf2add20777cb5942a479594838d2dd7d4873a1dacf8",
 };

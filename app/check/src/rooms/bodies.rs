@@ -79,22 +79,22 @@ method = "none"
 max_speed_m_s = 6
 "#;
 
-struct Case {
+pub(super) struct Case {
     solids: Vec<Solid>,
-    bodies: Vec<RigidBody>,
+    pub(super) bodies: Vec<RigidBody>,
     points: Vec<SurfacePoint>,
-    states: Vec<BodyState>,
+    pub(super) states: Vec<BodyState>,
     poses: Vec<SolidPose>,
     fields: Vec<[f32; 2]>,
     params: SolidsParams,
 }
 
-fn quaternion(rotation: [f32; 4]) -> DQuat {
+pub(super) fn quaternion(rotation: [f32; 4]) -> DQuat {
     DQuat::from_array(rotation.map(f64::from)).normalize()
 }
 
 /// Bodies a little off where the scene has them, that move.
-fn case(rng: &mut impl Rng) -> Case {
+pub(super) fn case(rng: &mut impl Rng) -> Case {
     let scene = Scene::from_toml(SCENE, "bodies", &[]).or_raise();
     let (solids, keyframes) = solids(&scene);
     let mut one = |most: f64| DVec3::from_array(std::array::from_fn(|_| most * (rng.random::<f64>() * 2.0 - 1.0)));
@@ -151,7 +151,7 @@ fn case(rng: &mut impl Rng) -> Case {
     Case { solids, fields: field_nodes(&scene), points: surface_points(&scene), bodies, states, poses, params }
 }
 
-fn twin_state(state: &BodyState) -> twin::BodyState {
+pub(super) fn twin_state(state: &BodyState) -> twin::BodyState {
     twin::BodyState {
         position_m: vector(state.position_m),
         rotation: quaternion(state.rotation),
@@ -162,7 +162,7 @@ fn twin_state(state: &BodyState) -> twin::BodyState {
     }
 }
 
-fn twin_body(body: &RigidBody) -> Body {
+pub(super) fn twin_body(body: &RigidBody) -> Body {
     Body {
         centre_of_mass_m: vector(body.centre_of_mass_m),
         mass_kg: 1.0 / f64::from(body.inverse_mass_per_kg),

@@ -135,7 +135,7 @@ pub(crate) fn constrain_density_matches_its_twin(device: &Device) {
                     // The GPU asks the walls at the position, which a packed one rounds.
                     let expected = constrain_density(i, &quantized_m, &case.neighbours[i], &smoothing, &pbf, box_walls);
                     compressed += usize::from(expected.lambda < 0.0);
-                    ensure_eq!(got.quantized_position, start[i]);
+                    ensure_eq!(got.quantized_position, pairs.quantization.of_pairs(start[i]));
                     // lambda = C / D: an error of C is divided by D, and one of D counts C times.
                     let scale = (1.0 + expected.constraint) / expected.denominator;
                     worst.check(got.lambda, expected.lambda, scale).or_raise();
@@ -207,7 +207,7 @@ fn check_momentum(
             true => accumulated_lambda(&constraint, weights, before, total),
             false => momentum_lambda(&constraint, weights, before),
         };
-        ensure_eq!(got.quantized_position, start[i]);
+        ensure_eq!(got.quantized_position, pairs.quantization.of_pairs(start[i]));
         let excess = constraint.excess;
         counts[if excess < GUARD[0] { usize::from(excess > 0.0) } else { 2 }] += 1;
         // On which side of rest density it is, rounding may decide, and with it all of the momentum.

@@ -15,6 +15,7 @@ pub(crate) mod dfsph_factors;
 pub(crate) mod dfsph_moves;
 pub(crate) mod dfsph_solves;
 pub(crate) mod drag;
+pub(crate) mod drag_body;
 pub(crate) mod drag_walls;
 pub(crate) mod drains;
 pub(crate) mod drawn_caustics;

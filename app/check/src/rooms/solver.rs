@@ -62,13 +62,17 @@ fn run_correct_from(
     let full: Vec<PositionLambda> = with_lambdas()
         .map(|(&quantized_position, &lambda)| PositionLambda { quantized_position, lambda, total: 0.0 })
         .collect();
-    let packed: Vec<[u32; 2]> =
-        with_lambdas().map(|(&[x_y, z], &lambda)| [x_y, z | u32::from(f16::from_f32(lambda).to_bits())]).collect();
+    let packed: Vec<[u32; 2]> = with_lambdas()
+        .map(|(&quantized, &lambda)| {
+            let [x_y, z] = pairs.quantization.of_pairs(quantized);
+            [x_y, z | u32::from(f16::from_f32(lambda).to_bits())]
+        })
+        .collect();
     let position_lambdas = bench.input("position_lambdas", &full);
     let packed_position_lambdas = bench.input("packed_position_lambdas", &packed);
     let sorted_positions = bench.input("sorted_positions", predicted);
     let (neighbours, list_heads) = case.upload_neighbours(&mut bench);
-    let mut quantized_positions = bench.output("quantized_positions", case.count());
+    let mut quantized_positions = bench.input("quantized_positions", &start);
     let mut counters = bench.input("counters", &[Counters::default()]);
     let step_params = bench.uniform("step_params", case.step_params());
     let kernel = bench.uniform("kernel", kernel_params());

@@ -219,6 +219,8 @@ impl<'a> Window<'a> {
                 "distance_m": (current.view().camera.eye_m - current.view().camera.target_m).length(),
                 "picture_px": current.view().size_px,
                 "eye_m": current.view().camera.eye_m.to_array(),
+                "bodies_seen": current.bodies_seen().map(|at| [at.x, at.y]).collect::<Vec<_>>(),
+                "emitted": open.viewer.flow().emitted,
             })
         });
         trace.frame(&marks, open.viewer.context().pixels_per_point(), json!(facts));

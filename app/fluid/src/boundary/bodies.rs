@@ -15,15 +15,16 @@ use crate::slots::Slots;
 
 /// The bodies of a scene.
 pub struct Bodies {
-    bodies: Buffer<RigidBody>,
     points: Buffer<SurfacePoint>,
     contacts: Buffer<BodyContact>,
     /// What lasts of them from step to step.
     pub buffers: BodyBuffers,
 }
 
-/// What lasts of bodies from step to step.
+/// What lasts of bodies from step to step, and what they weigh.
 pub struct BodyBuffers {
+    /// Their inertia.
+    pub inertia: Buffer<RigidBody>,
     /// How they move.
     pub states: Buffer<BodyState>,
     /// What particles gave back since the last substep.
@@ -33,7 +34,7 @@ pub struct BodyBuffers {
 impl BodyBuffers {
     /// The same, for another owner.
     pub(crate) fn alias(&self) -> Self {
-        Self { states: self.states.alias(), reactions: self.reactions.alias() }
+        Self { inertia: self.inertia.alias(), states: self.states.alias(), reactions: self.reactions.alias() }
     }
 }
 
@@ -52,10 +53,10 @@ impl Bodies {
     pub(super) fn declare(resources: &mut Resources, scene: &Scene) -> Option<Self> {
         let (count, points) = (body_count(scene), surface_point_count(scene));
         (count > 0).then(|| Self {
-            bodies: resources.persistent("bodies", count),
             points: resources.persistent("surface_points", points),
             contacts: resources.buffer("body_contacts", CONTACTS_PER_POINT * points),
             buffers: BodyBuffers {
+                inertia: resources.persistent("bodies", count),
                 states: resources.persistent("body_states", count),
                 reactions: resources.persistent("reactions", REACTION_WORDS * count),
             },
@@ -63,7 +64,7 @@ impl Bodies {
     }
 
     pub(super) fn record_init(&mut self, init: &mut Recording, scene: &Scene) {
-        init.upload(&mut self.bodies, &bodies(scene));
+        init.upload(&mut self.buffers.inertia, &bodies(scene));
         init.upload(&mut self.points, &surface_points(scene));
     }
 
@@ -73,7 +74,7 @@ impl Bodies {
         recording.dispatch(
             &FindContacts {
                 surface_points: self.points.read(),
-                bodies: self.bodies.read(),
+                bodies: self.buffers.inertia.read(),
                 body_states: self.buffers.states.read(),
                 solids: solids.read(),
                 solid_poses: poses.read(),
@@ -87,7 +88,7 @@ impl Bodies {
         );
         recording.dispatch_groups(
             &StepBodies {
-                bodies: self.bodies.read(),
+                bodies: self.buffers.inertia.read(),
                 body_contacts: self.contacts.read(),
                 body_states: self.buffers.states.write(),
                 reactions: self.buffers.reactions.write(),
@@ -124,11 +125,6 @@ impl Bodies {
 
     /// The same bodies, for another owner.
     pub(super) fn alias(&self) -> Self {
-        Self {
-            bodies: self.bodies.alias(),
-            points: self.points.alias(),
-            contacts: self.contacts.alias(),
-            buffers: self.buffers.alias(),
-        }
+        Self { points: self.points.alias(), contacts: self.contacts.alias(), buffers: self.buffers.alias() }
     }
 }

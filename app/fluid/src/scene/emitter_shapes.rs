@@ -108,7 +108,7 @@ impl EmitterSettings {
     }
 
     /// Particles of it that there are at most until a time, s.
-    fn most_particles(&self, scene: &Scene, until_s: f64) -> f64 {
+    pub fn most_particles(&self, scene: &Scene, until_s: f64) -> f64 {
         let layers = match self.fills() {
             true => f64::from(u8::from(self.start_s <= until_s)),
             false => {

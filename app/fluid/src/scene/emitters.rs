@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Block, KeyframeSettings, SolidSettings, Sphere};
+use super::{Block, KeyframeSettings, Scene, SceneError, SolidSettings, Sphere};
 
 /// A nozzle that fluid flows from, or a body of fluid that comes all at once: a faucet, a fountain, a hose, a fill.
 ///
@@ -117,4 +117,16 @@ pub struct DrainSettings {
     /// Volume that it takes in a second at most, m³; in two dimensions m². Default: all that enters.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub most_m3_s: Option<f64>,
+}
+
+impl Scene {
+    /// The scene with other emitters, and slots for so many particles.
+    ///
+    /// # Errors
+    /// If one of them is not allowed in it.
+    pub fn with_emitters(&self, emitters: Vec<EmitterSettings>, capacity: Option<u32>) -> Result<Scene, SceneError> {
+        let scene = Scene { emitters, capacity, ..self.clone() };
+        scene.check(&self.name)?;
+        Ok(scene)
+    }
 }

@@ -63,7 +63,7 @@ pub use pbf::{Acceleration, PbfSettings};
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use shipped::shipped_scenes;
-pub use solid_shapes::{poses_before, solids};
+pub use solid_shapes::{SolidSurface, poses_before, solids};
 pub use solids::{
     BoxShape, HingeSettings, KeyframeSettings, OpenFaces, RoundShape, Shape, SolidLook, SolidSettings, SphereShape,
 };

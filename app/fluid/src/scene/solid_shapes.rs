@@ -227,9 +227,8 @@ pub(super) fn from_shape_m(shape: u32, place_m: DVec3, half_m: DVec3) -> f64 {
     }
 }
 
-/// A solid where it begins.
-pub(super) struct StandingSolid {
-    pose: Pose,
+/// A solid's surface, in its own frame.
+pub struct SolidSurface {
     shape: u32,
     half_m: DVec3,
     extent_m: DVec3,
@@ -237,17 +236,15 @@ pub(super) struct StandingSolid {
     field: Option<Arc<Field>>,
 }
 
-impl StandingSolid {
-    /// The solid before anything moves.
-    pub(super) fn of(solid: &SolidSettings, scene: &Scene) -> Self {
+impl SolidSurface {
+    /// That of one of a scene's solids.
+    pub fn of(solid: &SolidSettings, scene: &Scene) -> Self {
         let (shape, half_m, extent_m) = halves(solid);
-        let pose = motion(solid).0.first().copied().unwrap_or_else(Pose::standing);
-        Self { pose, shape, half_m, extent_m, cavity_m: cavity_m(solid), field: solid.field(scene) }
+        Self { shape, half_m, extent_m, cavity_m: cavity_m(solid), field: solid.field(scene) }
     }
 
-    /// How far a place is from its surface, m; negative inside it. What a hollow one holds is outside.
-    pub(super) fn distance_m(&self, place_m: [f64; 3]) -> f64 {
-        let in_frame_m = self.pose.rotation.inverse() * (DVec3::from_array(place_m) - self.pose.centre_m);
+    /// How far a place of its frame is from it, m; negative inside the solid. What a hollow one holds is outside.
+    pub fn distance_m(&self, in_frame_m: DVec3) -> f64 {
         if let Some(field) = &self.field {
             return field.distance_m(in_frame_m);
         }
@@ -258,6 +255,31 @@ impl StandingSolid {
         })
     }
 
+    /// Half the sides of a box around the frame's origin that holds it, m.
+    pub fn extent_m(&self) -> DVec3 {
+        self.extent_m
+    }
+}
+
+/// A solid where it begins.
+pub(super) struct StandingSolid {
+    pose: Pose,
+    surface: SolidSurface,
+}
+
+impl StandingSolid {
+    /// The solid before anything moves.
+    pub(super) fn of(solid: &SolidSettings, scene: &Scene) -> Self {
+        let pose = motion(solid).0.first().copied().unwrap_or_else(Pose::standing);
+        Self { pose, surface: SolidSurface::of(solid, scene) }
+    }
+
+    /// How far a place is from its surface, m; negative inside it. What a hollow one holds is outside.
+    pub(super) fn distance_m(&self, place_m: [f64; 3]) -> f64 {
+        let from_middle_m = DVec3::from_array(place_m) - self.pose.centre_m;
+        self.surface.distance_m(self.pose.rotation.inverse() * from_middle_m)
+    }
+
     /// Where a place of its frame is, m.
     pub(super) fn placed_m(&self, place_m: DVec3) -> DVec3 {
         self.pose.centre_m + self.pose.rotation * place_m
@@ -265,7 +287,7 @@ impl StandingSolid {
 
     /// The box around it: its lowest and highest corner, m.
     pub(super) fn bounds_m(&self) -> [DVec3; 2] {
-        let along = |axis: DVec3| (self.pose.rotation * (axis * self.extent_m)).abs();
+        let along = |axis: DVec3| (self.pose.rotation * (axis * self.surface.extent_m)).abs();
         let around_m = along(DVec3::X) + along(DVec3::Y) + along(DVec3::Z);
         [self.pose.centre_m - around_m, self.pose.centre_m + around_m]
     }

@@ -17,6 +17,7 @@ use crate::body_motion::BodyMotion;
 use crate::boundary::bodies::BodyBuffers;
 use crate::boundary::solids::solids_params;
 use crate::drag::{Drag, DragPass};
+use crate::drag_body::{BodyDrag, BodyDragPass};
 use crate::measure::{Sample, Stats};
 use crate::particles::ParticleSet;
 use crate::scene::{Scene, Update, emitter_states, poses_before};
@@ -41,6 +42,8 @@ pub enum SessionError {
 pub struct FrameRequest<'a> {
     /// Draws the fluid along before the steps, if the session was recorded with drag.
     pub drag: Option<&'a Drag>,
+    /// Draws a body to a place likewise, if the scene has bodies.
+    pub drag_body: Option<&'a BodyDrag>,
     /// Deactivates the particles in a box, if the session was recorded with changes of slots.
     pub deactivate: Option<&'a DrainBox>,
     /// Activates a block of particles, likewise. Those for which no slot is free are counted
@@ -95,6 +98,7 @@ pub struct Session {
     scene: Scene,
     recorded: Recorded,
     drag: Option<DragPass>,
+    drag_body: Option<BodyDragPass>,
     slot_changes: Option<SlotChanges>,
     sample: Option<Sample>,
     relaxes: bool,
@@ -144,6 +148,7 @@ impl Session {
             mut particles,
             bodies,
             drag,
+            drag_body,
             slot_changes,
             sample,
             relaxes,
@@ -160,6 +165,7 @@ impl Session {
             scene,
             recorded,
             drag,
+            drag_body,
             slot_changes,
             sample,
             relaxes,
@@ -194,6 +200,10 @@ impl Session {
         self.order.clear();
         self.readbacks.clear();
         if let (Some(pass), Some(drag)) = (&self.drag, request.drag) {
+            pass.write(&mut self.engine, &self.scene, drag);
+            self.order.push(pass.recording.id());
+        }
+        if let (Some(pass), Some(drag)) = (&self.drag_body, request.drag_body) {
             pass.write(&mut self.engine, &self.scene, drag);
             self.order.push(pass.recording.id());
         }
@@ -303,7 +313,9 @@ impl Session {
     /// # Errors
     /// If the device is lost.
     pub fn read_bodies(&mut self) -> Result<BodyMotion, GpuError> {
-        let Some(BodyBuffers { states, reactions }) = &self.recorded.bodies else { return Ok(BodyMotion::default()) };
+        let Some(BodyBuffers { states, reactions, .. }) = &self.recorded.bodies else {
+            return Ok(BodyMotion::default());
+        };
         Ok(BodyMotion { states: self.engine.read(states)?, reactions: self.engine.read(reactions)? })
     }
 
@@ -314,7 +326,7 @@ impl Session {
         if motion.states.len() != has {
             return;
         }
-        if let Some(BodyBuffers { states, reactions }) = &self.recorded.bodies {
+        if let Some(BodyBuffers { states, reactions, .. }) = &self.recorded.bodies {
             self.engine.write(states, &motion.states);
             self.engine.write(reactions, &motion.reactions);
         }

@@ -7,6 +7,7 @@ use crate::body_motion::BodyMotion;
 use super::TimeBase;
 use super::relax::plan_relaxation;
 use crate::drag::{DragPass, record_drag};
+use crate::drag_body::{BodyDragPass, record_drag_body};
 use crate::measure::{Sample, record_sample};
 use crate::particles::{ParticleSet, sample_lattice};
 use crate::scene::Scene;
@@ -36,6 +37,7 @@ pub struct SessionRecorder {
     scene: Scene,
     particles: Option<ParticleSet>,
     drag: Option<DragPass>,
+    drag_body: Option<BodyDragPass>,
     slot_changes: Option<SlotChanges>,
     sample: Option<Sample>,
     relaxes: bool,
@@ -76,6 +78,7 @@ impl SessionRecorder {
             scene: scene.clone(),
             particles,
             drag: None,
+            drag_body: None,
             slot_changes: None,
             sample: None,
             relaxes: false,
@@ -84,11 +87,14 @@ impl SessionRecorder {
         }
     }
 
-    /// Lets frames drag the fluid ([`crate::FrameRequest::drag`]).
+    /// Lets frames drag the fluid ([`crate::FrameRequest::drag`]) and the bodies in it
+    /// ([`crate::FrameRequest::drag_body`]).
     pub fn with_drag(mut self) -> Self {
         let drag = record_drag(&mut self.resources, &mut self.recorded);
         self.others.push(drag.recording.clone());
         self.drag = Some(drag);
+        self.drag_body = record_drag_body(&mut self.resources, &mut self.recorded);
+        self.others.extend(self.drag_body.as_ref().map(|pass| pass.recording.clone()));
         self
     }
 
@@ -151,6 +157,7 @@ impl SessionRecorder {
             scene: self.scene,
             particles: self.particles,
             drag: self.drag,
+            drag_body: self.drag_body,
             slot_changes: self.slot_changes,
             sample: self.sample,
             relaxes: self.relaxes,
@@ -179,6 +186,7 @@ pub struct SessionPlan {
     pub(super) particles: Option<ParticleSet>,
     pub(super) bodies: BodyMotion,
     pub(super) drag: Option<DragPass>,
+    pub(super) drag_body: Option<BodyDragPass>,
     pub(super) slot_changes: Option<SlotChanges>,
     pub(super) sample: Option<Sample>,
     pub(super) relaxes: bool,

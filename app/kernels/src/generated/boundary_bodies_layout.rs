@@ -183,3 +183,36 @@ const _: () = {
     assert!(offset_of!(BodyContact, reserved1) == 60);
     assert!(size_of::<BodyContact>() == 64);
 };
+
+/// Which body is dragged, by which of its points and to where (boundary/bodies/drag\_body.compute).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct BodyDragParams {
+    /// in its solid's frame
+    pub grip_m: [f32; 3],
+    /// NO\_BODY: none is
+    pub body: u32,
+    /// where the grip is drawn to
+    pub target_m: [f32; 3],
+    /// share of the grip's velocity that is left of it
+    pub kept: f32,
+    /// of the way to the target
+    pub pull_per_s: f32,
+    /// share of the body's spin that is left of it
+    pub kept_spin: f32,
+    /// the grip is made no faster
+    pub most_m_s: f32,
+    /// `uint`.
+    pub reserved0: u32,
+}
+const _: () = {
+    assert!(offset_of!(BodyDragParams, grip_m) == 0);
+    assert!(offset_of!(BodyDragParams, body) == 12);
+    assert!(offset_of!(BodyDragParams, target_m) == 16);
+    assert!(offset_of!(BodyDragParams, kept) == 28);
+    assert!(offset_of!(BodyDragParams, pull_per_s) == 32);
+    assert!(offset_of!(BodyDragParams, kept_spin) == 36);
+    assert!(offset_of!(BodyDragParams, most_m_s) == 40);
+    assert!(offset_of!(BodyDragParams, reserved0) == 44);
+    assert!(size_of::<BodyDragParams>() == 48);
+};

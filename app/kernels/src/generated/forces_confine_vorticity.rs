@@ -102,31 +102,31 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "72d8c015bd291097ef8767c58d0509d9f43a72e3ad5d2a9be6cda732d501cfcf",
+    hash: "64078c9eeb22b1fec6754c26cb0adbf1b6acec6b509ad25dfb4105bbc2c8a246",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineVorticity+RELAXED_PRECISION",
     entry: "ConfineVorticity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 8188, bytes: 7636 },
+    spirv: Spirv::Packed { pack: PACK, first: 8188, bytes: 8052 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "af7d84b8f2e0634b8158ebbf2303af06517f933a141f0abb56565a5f985506e6",
+    hash: "d3c71b298c80282d525db37e8d26c7bd450594eed35b83e92e94e4d3713ae0d4",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     name: "ConfineVorticity+HALF_PRECISION",
     entry: "ConfineVorticity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15824, bytes: 7716 },
+    spirv: Spirv::Packed { pack: PACK, first: 16240, bytes: 8132 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "08333e983eff2e5adca0ba02de5ccd0e09ae885d91b4e96d28594d9777536f50",
+    hash: "c713e358f00691e2a42fc3a9f40cb84b39d5825d37fdd370d433bee5bc8e5ed3",
 };

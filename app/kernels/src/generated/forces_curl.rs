@@ -100,31 +100,31 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "2a6b52a54d1a5ff025e9dcab1034ee156c3005f07a4e25ee5f8bc7c9c5c71eb1",
+    hash: "37a5e89dfc707e074490d0a2b37fa286a25ea8d0263e55fd377f34c4869c093d",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
     name: "Curl+RELAXED_PRECISION",
     entry: "Curl",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 8204, bytes: 7652 },
+    spirv: Spirv::Packed { pack: PACK, first: 8204, bytes: 8068 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "738f4e478bd9dceb712809a91318fc9c76c0fb08879800784a464ce44980777a",
+    hash: "ab0060e900f364edd2d6d1188f1312b6a8b7c125dd41e5aaf1f04068b04830a2",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
     name: "Curl+HALF_PRECISION",
     entry: "Curl",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15856, bytes: 7732 },
+    spirv: Spirv::Packed { pack: PACK, first: 16272, bytes: 8148 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "4e3c5d67fb5cdb1a904577df44238fe064d66d7e11daaedb90faec93a00bcf7e",
+    hash: "e9192dbf0e9b8502491bf0a11c6f42b556daca5840d6ca6a02d49079d250f87b",
 };

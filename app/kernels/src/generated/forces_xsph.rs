@@ -105,31 +105,31 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "80f17504d9d95fa9ad4e141ede9c642b3ffe323e41eb26ab59a5e8d4b33b565d",
+    hash: "cdfb6fe62fc069d78bcb0aebdc8d8cf81aa27ab983c5acc294b3ee183a845165",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     name: "Xsph+RELAXED_PRECISION",
     entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 8524, bytes: 8116 },
+    spirv: Spirv::Packed { pack: PACK, first: 8524, bytes: 8532 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "689b8aa0bc1c65aa1e522e407cf87537bd56e02130f77ff0626503e7688e1dc3",
+    hash: "cb3688c0c31e01095a5a57d27ddaa96207d81c312c2561e12e5aecfd43e40be2",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
     name: "Xsph+HALF_PRECISION",
     entry: "Xsph",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 16640, bytes: 8052 },
+    spirv: Spirv::Packed { pack: PACK, first: 17056, bytes: 8468 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "1c3a2e0497a4d401098d30e83d9284a5b388ddea6e708ed7a7db949c2e645f8c",
+    hash: "79f54e5485204d82f12928cb29a8e76b222f2546198937bdd9d1358e85031a7c",
 };

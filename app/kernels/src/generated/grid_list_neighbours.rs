@@ -138,96 +138,96 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "867a920abd0ec9ac775948b4d0b645221fa49783735d8e421c6df5a27f8a9d50",
+    hash: "768a3478020b1ce807e6450eba9e5b664f64f50f90fff869a0819826011cf64e",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15120, bytes: 14772 },
+    spirv: Spirv::Packed { pack: PACK, first: 15120, bytes: 15736 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5297309b51e445b67fb34264e1b3ff48b779faafcf8d9bf02dfe16f7b41ea0a3",
+    hash: "c3fbc090129972746205c9af7053df18c89a7c09ffb15acf6cc5049901880799",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29892, bytes: 17188 },
+    spirv: Spirv::Packed { pack: PACK, first: 30856, bytes: 17188 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "2b2f3cf6a864b9fabd1c0f5cc55c8246ce3158488cbb09ed4a6b1cdf374ea80a",
+    hash: "bd2393cc195d75489d62db4a1288203fc79fea32ed8d2df93adf950c4b41803e",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 47080, bytes: 16840 },
+    spirv: Spirv::Packed { pack: PACK, first: 48044, bytes: 17804 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "627e6bdbd481b6e603a75025cab6cca56184276da134b476533671e095f6dd65",
+    hash: "e424af2aed7e58d6598aabfa540012ec9e7c432f08bdda32639fa303417e4121",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     name: "ListNeighbours+WRAPPED",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 63920, bytes: 18104 },
+    spirv: Spirv::Packed { pack: PACK, first: 65848, bytes: 18104 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "55629d12ea14b03be50ccd39838484dd5ef5b304a64dafa6fc625152cbf67edc",
+    hash: "0025278ae02941ba7c910cd097587b54bd6a7cca68f1f8109cb68cc2df3bba68",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+WRAPPED+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 82024, bytes: 17756 },
+    spirv: Spirv::Packed { pack: PACK, first: 83952, bytes: 18720 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "ca488d75d3505e5b2f1cd1631c3ae654c4d01c46c59b11290fbeacf585d479cb",
+    hash: "0488e9ac166099b492f231665247b002bce9023ad70f3ee84bf79023ba19b359",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+WRAPPED+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 99780, bytes: 19512 },
+    spirv: Spirv::Packed { pack: PACK, first: 102672, bytes: 19512 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4c7843eace9881113eb061564b47ddbd1ce9812b673dbca82ba259620452be26",
+    hash: "be2b6d2e1c58948814b48b2512c97e64f21dd6fe2d393b5d8f3ad3cff762607d",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+WRAPPED+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 119292, bytes: 19164 },
+    spirv: Spirv::Packed { pack: PACK, first: 122184, bytes: 20128 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "de47277ee92922db46f191c0750d6ee4c1dcd64ac7397b84b3e1589bf14a4cdd",
+    hash: "6fd87037b65c806abce05b9429d4a72be351513c80c4d7e990ea6704fc5b59d4",
 };

@@ -159,7 +159,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "7d73bb84d1cdcaebd52e287184dadaa452028821adcf8ced7aed0af04160dfc8",
+    hash: "d0b1274f4a10b01a08817578a92ff976a196e96b509eaa2634d6b0a953e53563",
 };
 
 static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
@@ -172,7 +172,7 @@ static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "b4f2992301502dfd8cb6a99e54e5759fb7b700c541b9b555a95aa85e29fceb6a",
+    hash: "2547d3d921f791637e383613988ceb75791eb1a1269510fec923936a7727aa8c",
 };
 
 static REORDER_WITH_POSITIONS_ONLY: Module = Module {
@@ -185,31 +185,31 @@ static REORDER_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "225ebdf56294975fba6392ceda4a4b291c5f1543e42483e35966c9e6e874392b",
+    hash: "da7e86a113d3ec55721fa4f5a8a6715d1e3eb471512e44b9968def0904b14dc1",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     name: "Reorder+RELAXED_PRECISION",
     entry: "Reorder",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11984, bytes: 4848 },
+    spirv: Spirv::Packed { pack: PACK, first: 11984, bytes: 5108 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "04d2e6de0258bb81981fff7fa07194bb91beaf9e389c20ccdb2bfb04bebab3f3",
+    hash: "48664e185aefde4c3957ab6ca61257161a732941fbc4123d244ea7e650f0a61d",
 };
 
 static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
     name: "Reorder+RELAXED_PRECISION+POSITIONS_ONLY",
     entry: "Reorder",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 16832, bytes: 4240 },
+    spirv: Spirv::Packed { pack: PACK, first: 17092, bytes: 4500 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "675e1fc097a647084c0eb4351a434c3dd50eda7b73d39b0d6b2f7a8645fee918",
+    hash: "d80984c23c4242e72d4340eff9525f8dce60447f2fdbdfaaedc5b9f64b1aca21",
 };

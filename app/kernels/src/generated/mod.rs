@@ -2,6 +2,7 @@
 // makes it anew from shaders/hlsl.
 //! All kernels, draws and host-visible structs.
 
+mod boundary_bodies_drag_body;
 mod boundary_bodies_find_contacts;
 mod boundary_bodies_gather_reactions;
 mod boundary_bodies_layout;
@@ -129,6 +130,7 @@ mod surface_surface_normals;
 mod surface_thickness;
 mod surface_water;
 
+pub use boundary_bodies_drag_body::*;
 pub use boundary_bodies_find_contacts::*;
 pub use boundary_bodies_gather_reactions::*;
 pub use boundary_bodies_layout::*;
@@ -259,6 +261,7 @@ pub use surface_water::*;
 /// Every module of this crate, for building all pipelines at start.
 pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
     [
+        boundary_bodies_drag_body::MODULES,
         boundary_bodies_find_contacts::MODULES,
         boundary_bodies_gather_reactions::MODULES,
         boundary_bodies_step_bodies::MODULES,

@@ -214,226 +214,226 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b9ca213753b1d7a8c6ae6a91f53a9880d423459b424f7e18944d4ecb576ca3a1",
+    hash: "604759545cf4ef5660c58e2977d3315593f59abbf7d3199ad42197bd7a79f819",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10400, bytes: 9848 },
+    spirv: Spirv::Packed { pack: PACK, first: 10400, bytes: 10264 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "7e99334867def899f06904c199a64c46a67b2ba088a5ff327f2c014373780405",
+    hash: "f5f07fcfe871bc5cf1ab13406833fb0e80cc22fb1de889109a0834cc4f781a68",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20248, bytes: 9928 },
+    spirv: Spirv::Packed { pack: PACK, first: 20664, bytes: 10344 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "9b787ac0b23fc235fe88cf1398e44c9feb8d32346c97ecdf0a4ddfc81ed34330",
+    hash: "fa4621f5fdc5350f3fe05de7c2102a8f564972c024328f285423a53a59357f42",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     name: "CorrectPressure+MEASURED",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30176, bytes: 11360 },
+    spirv: Spirv::Packed { pack: PACK, first: 31008, bytes: 11360 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8343732659edec386fc377c5f9146653926b9bc0ada9f81b850c2f5dd042a70f",
+    hash: "bc9368c280a4159ec53d1366d0aa5d6afeb3346b2d6505138a502728b4bd5f12",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+MEASURED+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 41536, bytes: 10808 },
+    spirv: Spirv::Packed { pack: PACK, first: 42368, bytes: 11224 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b37c18fc6dd1ff70886c943aa7489b399102523f1077663bff183faefca806bc",
+    hash: "752919be8f8d9272ebc1b282426ac143dc57e203fe903cd46dce8cab0e911d86",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+MEASURED+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 52344, bytes: 10888 },
+    spirv: Spirv::Packed { pack: PACK, first: 53592, bytes: 11304 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "3b002822d6be44875d6371bfbde72556a8e08a435b2b8a533f26f5cd8a09296c",
+    hash: "96bb5f71ba2ecfbcf9b66174def77e17274021f86b47bcfd12fca1e01b5c6c5b",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     name: "CorrectPressure+WALLS",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 63232, bytes: 13612 },
+    spirv: Spirv::Packed { pack: PACK, first: 64896, bytes: 13612 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "3b221e6440b0924eddf4b7c67b31b4e6bce8b6e866a192de6ad4cd2d5987c772",
+    hash: "3ba3e5edf6abd02d151e5d9adf2705c9c535e30253622870eeb705c2d89d48e7",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 76844, bytes: 13008 },
+    spirv: Spirv::Packed { pack: PACK, first: 78508, bytes: 13504 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "1662725c0f381d57c98abc2093ffbc491303fc9ce958d5af517a027e4c92c590",
+    hash: "512331a9ebd23b3c1120fb4231601c45e431189d025173582e98dad7d7716614",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 89852, bytes: 13104 },
+    spirv: Spirv::Packed { pack: PACK, first: 92012, bytes: 13600 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6f2c28ccc0c8495c66985cd247a5f3a4e35f29f84139f9fee7034dba4380a26f",
+    hash: "24c1416c95f5e6f7bcf1a7f2f48517d5b0596f94c0a54a46de32e2461a7bf9cd",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 102956, bytes: 14572 },
+    spirv: Spirv::Packed { pack: PACK, first: 105612, bytes: 14572 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e4e3a1809cd718538945aa1ada87adfb8576a8da4692d5331a4f385b132fe548",
+    hash: "aee1f4eecede4a0ec2a7fb75bd26349ee07d893a90708cb831a1b56131f37bce",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 117528, bytes: 13968 },
+    spirv: Spirv::Packed { pack: PACK, first: 120184, bytes: 14464 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "39a6a0268e48dd174c7ce1139fb49c4e065fe483aaa34dd373e23b525a138d20",
+    hash: "0514f8fab6e221932dcb0066fc8ecbfcb868371fc4bf2f3f57679e6985193096",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+WALLS+MEASURED+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 131496, bytes: 14064 },
+    spirv: Spirv::Packed { pack: PACK, first: 134648, bytes: 14560 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "519ef15cceb92f41c5fdb56619b1ccb3808aca1ef04df9d64b1d58de81d33bff",
+    hash: "3034e502d8b0fd9929e35df85f6b39a449799a686c1efdcfdc61005b4ad60b96",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     name: "CorrectPressure+SOLID_WALLS",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 145560, bytes: 15452 },
+    spirv: Spirv::Packed { pack: PACK, first: 149208, bytes: 15452 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "2c8e0696c84da01854a8af3f23408f3569978b035ca17bba0420f4a3c20bafef",
+    hash: "72e00382e51c0053c5941b36113b7dcd136154f54c7ac022195b2743692c49c2",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+SOLID_WALLS+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 161012, bytes: 14848 },
+    spirv: Spirv::Packed { pack: PACK, first: 164660, bytes: 15344 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "3941fbb355e47fef436b4c9ed7c94e8fd6fa04f59c2bc46d7913402c1243f3de",
+    hash: "2f4cc00c8f858a50c4a516703c54ae3417da50d15dfe745ceba53c00bb5444f6",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+SOLID_WALLS+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 175860, bytes: 14944 },
+    spirv: Spirv::Packed { pack: PACK, first: 180004, bytes: 15440 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d9bed9cf4ba71f6233e97badf489542411963994e4a650c0f139a3f4bc84e1f8",
+    hash: "91629e14cdf0a39e2e5eb10d3de06a981f4ac8573880aa77f45c485a907f5ee8",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
     name: "CorrectPressure+SOLID_WALLS+MEASURED",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 190804, bytes: 16428 },
+    spirv: Spirv::Packed { pack: PACK, first: 195444, bytes: 16428 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "0cb3cfa7042085f144846c1ac050c3cc8ec6f74ab51c5509d994427758d4c761",
+    hash: "d542ac7793a2272612b06a9de60fc25a648517c823f09ebeb5d4901761751d33",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPressure+SOLID_WALLS+MEASURED+RELAXED_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 207232, bytes: 15824 },
+    spirv: Spirv::Packed { pack: PACK, first: 211872, bytes: 16320 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6cea427abb77d5b96ffd614a6817dae4f5c87f91292d85807c9e04c55e9e98db",
+    hash: "6830019514d183775846e4eedc1c81b2cfc9a926d14cecb35300f9cf38b73119",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPressure+SOLID_WALLS+MEASURED+HALF_PRECISION",
     entry: "CorrectPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 223056, bytes: 15920 },
+    spirv: Spirv::Packed { pack: PACK, first: 228192, bytes: 16416 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "933fa4607c8e2a2371c6e0c96e9cd2b449a82915e5d2439bb3ea0cf6516e4f40",
+    hash: "03890c7b886c801063f4aa46d2903ecd71161a7f5eef2a0d48610f4198289a94",
 };

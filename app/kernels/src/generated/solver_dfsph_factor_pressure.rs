@@ -184,109 +184,109 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "8d6caaef4914aab4b0103ab10a12387bb193a3d0e632505c8940733de9b541b4",
+    hash: "55a3478eb38dd051ccd30372bcf17fadadeabb04d70a94bbee6862544b26f350",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "FactorPressure+RELAXED_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 13128, bytes: 12684 },
+    spirv: Spirv::Packed { pack: PACK, first: 13128, bytes: 13180 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "690d2718816b27b5ada795c49b83e84207779ba72c2a4d19a38a0d2e0c279535",
+    hash: "4a4d675c4887fc3e574a7ca5ae89f52a9b12ad48b478b2c75736e22268e4afdf",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "FactorPressure+HALF_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 25812, bytes: 12636 },
+    spirv: Spirv::Packed { pack: PACK, first: 26308, bytes: 13132 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "0986f485bafb342e3f0e520107a546af5124ff2eb6050c8c02544c7eba20d1c7",
+    hash: "0d741b0e81c5bb472abcc11215fd0f67cf2041f960e30ffa34f95719e26eecee",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     name: "FactorPressure+WALLS",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 38448, bytes: 17276 },
+    spirv: Spirv::Packed { pack: PACK, first: 39440, bytes: 17276 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "454fc0c258feab92543a3d7a9ba6243b8a69b9bcbc10da5f59866ada5a0bc4ab",
+    hash: "94919daa902e4c19e72297333436419c549b75b9cfc9929f8b8a7c6ed597da2d",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "FactorPressure+WALLS+RELAXED_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 55724, bytes: 16876 },
+    spirv: Spirv::Packed { pack: PACK, first: 56716, bytes: 17452 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "82ae922daa8d0f5aa287062e5532563e9b17a584aac0574939346c0e0c83dec4",
+    hash: "dac0fdfc01dbec3b081549b00f642235cf4b2cb5362276579adcf5ac1e722928",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "FactorPressure+WALLS+HALF_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 72600, bytes: 16780 },
+    spirv: Spirv::Packed { pack: PACK, first: 74168, bytes: 17356 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "b4a3a9dac90a371b892b07aca15224ac47159ec10ee7bb06b5a2f018de126bce",
+    hash: "07be9b5344a507f9718be06883a7f3cf5537f462b898483e22c2e5cb84dd931d",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     name: "FactorPressure+SOLID_WALLS",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 89380, bytes: 20672 },
+    spirv: Spirv::Packed { pack: PACK, first: 91524, bytes: 20672 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "7dfe514f46e950ee3ef0b94b27e6a6b4b450e4c4079ff24762853b69ff068ffc",
+    hash: "ede14ad13e9a68a92d81007d6d1c9a094cd402056b1660cc9fcd665c27d45fe5",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "FactorPressure+SOLID_WALLS+RELAXED_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 110052, bytes: 20272 },
+    spirv: Spirv::Packed { pack: PACK, first: 112196, bytes: 20848 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "65e03138f75bc2d34345b937990bddb12a67d0b19deebee29764ce03d5a7f6e0",
+    hash: "4f5b09790e7463e7c851cf7e2b32117cd5c3349b1c0024eac3f0eb586e0d8238",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "FactorPressure+SOLID_WALLS+HALF_PRECISION",
     entry: "FactorPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 130324, bytes: 20176 },
+    spirv: Spirv::Packed { pack: PACK, first: 133044, bytes: 20752 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "15a69543503a0914d94acc5cd4a54baef030a1e409a6b1d9bd5710a2440adb98",
+    hash: "fb48a4a7161932d3578d90ef0e28f8e000a5eb1c52e275a9ec029be31420ac7b",
 };

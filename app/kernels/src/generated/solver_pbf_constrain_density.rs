@@ -773,460 +773,460 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fda8508826728abe2f8aeeab34d88cc92c025db793c9722f5f9f7e2f34482eab",
+    hash: "81196e52a6ceafc2b1bca6024d5716ee6e97e34b68e656d8a836cd55b5bbb9fd",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 9212, bytes: 8744 },
+    spirv: Spirv::Packed { pack: PACK, first: 9212, bytes: 9120 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ae0384f513a429e192806c690e65e1cbc4917ac537004ff12ab29174af222cf4",
+    hash: "033625fe405995a6558040cf6c52d32d0516adf80174bc6c4b40749a32b88985",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17956, bytes: 8696 },
+    spirv: Spirv::Packed { pack: PACK, first: 18332, bytes: 9072 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "715605b64cccbef3591724e513bbaa8b820f9d58c3da65e10ef6a4d20756f667",
+    hash: "49e054e366d585a5ad1d89e997a2eef099018e1a1767320b9c64bb3eadd91d12",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     name: "ConstrainDensity+MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 26652, bytes: 10136 },
+    spirv: Spirv::Packed { pack: PACK, first: 27404, bytes: 10136 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c8ca1dc846da49f85aeacf55d5c0a8743dbac8844ef9f6bc34a5bb49029eedb3",
+    hash: "40821caa25b2b3a32e14b50620775e3210b188d1c77f79f21c4cac67567b2afa",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 36788, bytes: 9748 },
+    spirv: Spirv::Packed { pack: PACK, first: 37540, bytes: 10124 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cf9ccfbb497fadbfe61b2d415d60b30322de29b0baf81660c6ba22b2857fa08c",
+    hash: "10f782dbab6220f826c15cad0b548c700ffae08010f67b8b574f1ab666ab6e60",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46536, bytes: 9700 },
+    spirv: Spirv::Packed { pack: PACK, first: 47664, bytes: 10076 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b2442da6410c011a23489f6bee461750086bf57ab9d5a6a5252e6d7f49163d53",
+    hash: "edf4df872e4a301630c42c6717a78e30674e4f2722b4e62d3ddec8fc199e46ae",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+ACCUMULATED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 56236, bytes: 10252 },
+    spirv: Spirv::Packed { pack: PACK, first: 57740, bytes: 10252 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c915ba61961b430a6d2f62133feece5d0707429df141d9afc6fee7abb12accbc",
+    hash: "e5a5c8d03360e77e5b98d71d91e0c5f7c6b71c157282089d562075c3ca31df63",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+ACCUMULATED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 66488, bytes: 10096 },
+    spirv: Spirv::Packed { pack: PACK, first: 67992, bytes: 10472 },
     bindings: BINDINGS_4,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "604109eaf3470ecd601ec5094e00e963ed9d050e2b71a87fbdd536f9712b1e9e",
+    hash: "4a149d9cdb74365464e00f88a3edc5d45589a5a862802c6234430191b6cfb02d",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+ACCUMULATED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 76584, bytes: 10048 },
+    spirv: Spirv::Packed { pack: PACK, first: 78464, bytes: 10424 },
     bindings: BINDINGS_4,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "09baf4f7835297428c3c4a3289e9971567a9d432d8b54724bef49d1a7945f42b",
+    hash: "97e310eae5aa3241e679faa6bacef844403cacb69d0aa25f96b80859dc2911fa",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+RESTRICTED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 86632, bytes: 13364 },
+    spirv: Spirv::Packed { pack: PACK, first: 88888, bytes: 13364 },
     bindings: BINDINGS_5,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7f3afb2c7ca0c18cc568f3a0530fd66d481659db72f4f87e1d156a8693a84da7",
+    hash: "1f1485367473b3783a255aa7680a72e305edd8b7d8072f6460084581dddc5478",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 99996, bytes: 13192 },
+    spirv: Spirv::Packed { pack: PACK, first: 102252, bytes: 13568 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cd6471532c167cd5f809291663d183afaa3ccf88d1c6d1ee5bd95919a7c0fa31",
+    hash: "ed4497dcb17e8153759c9dd4686392bb76655cff1c99c93a9630833de52736c9",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+RESTRICTED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 113188, bytes: 13144 },
+    spirv: Spirv::Packed { pack: PACK, first: 115820, bytes: 13520 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "880e4ee0ad130f3b7debef1a162396d81de25ff36785bdcdbe05d1ba02bc46e4",
+    hash: "1ef165b85f238d3d965265362bdacc6dc057c57a75c76df28a8caa1280380fa1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     name: "ConstrainDensity+WALLS",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 126332, bytes: 12664 },
+    spirv: Spirv::Packed { pack: PACK, first: 129340, bytes: 12664 },
     bindings: BINDINGS_7,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7b3403e8d5bc972cf3963d301a3ac3cca22b0b9213826f31e3685dcdd629230c",
+    hash: "4702942844a070006c916e3f8e9069bcb6314c492ecab4c6fabfd726fa7794c6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 138996, bytes: 12160 },
+    spirv: Spirv::Packed { pack: PACK, first: 142004, bytes: 13088 },
     bindings: BINDINGS_8,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "022bec47dfebfa6e46cfd68cd491a11a6dc77835a9702bc1903c364294478f28",
+    hash: "5da42b90c3061238d4780c976977ca38895c3ecc46b4a8415fc173849b587c6a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 151156, bytes: 12144 },
+    spirv: Spirv::Packed { pack: PACK, first: 155092, bytes: 13072 },
     bindings: BINDINGS_8,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c26becb580f819d367686b10ae6090704f1306b87263a85624a3843fafc76cc5",
+    hash: "44b710970fc805c7e98c46b4dfe2ef07ca1f4b170de9f7f5f26996d17dc9b1ae",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     name: "ConstrainDensity+WALLS+MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 163300, bytes: 13588 },
+    spirv: Spirv::Packed { pack: PACK, first: 168164, bytes: 13588 },
     bindings: BINDINGS_9,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "75560b804f60b27b95098877fcd48a1d1fc3c53750a940a6da9540d913b250ca",
+    hash: "153c7490dac208710a216017e45067ab92d7ef6b62038fcbe8360782a375616c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 176888, bytes: 13164 },
+    spirv: Spirv::Packed { pack: PACK, first: 181752, bytes: 14092 },
     bindings: BINDINGS_10,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1f3d53d27b8c67d645cbe605646dfb685fe1ceb983ec863a40e06f994af08fc2",
+    hash: "1bf0191265ca5a2c6561279ea530d0478dbc8ac9283e616a1608a17bccc29147",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 190052, bytes: 13148 },
+    spirv: Spirv::Packed { pack: PACK, first: 195844, bytes: 14076 },
     bindings: BINDINGS_10,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8ddad30bdf2186e1d2cd3e2c0c76b6a2acf10d9114334472219222ae381b7453",
+    hash: "de7dc3d5df0a09147d2e87d1e6ba0697ef0ffa1a90513c313f28c93008dc7815",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 203200, bytes: 13704 },
+    spirv: Spirv::Packed { pack: PACK, first: 209920, bytes: 13704 },
     bindings: BINDINGS_9,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7db3595283a93f400306c21daf1a9a95e6c3b03d83162953ecdd525101408268",
+    hash: "a319b2a43dbbdeda8599793cc145d41524f62f2a1e29e11b81fe21cb784b1db6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 216904, bytes: 13512 },
+    spirv: Spirv::Packed { pack: PACK, first: 223624, bytes: 14440 },
     bindings: BINDINGS_11,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "69600014ec769aeac9a8de29d9cceada7fbcc612b1ca749740095df77d60e87c",
+    hash: "93b3dd1405a938fca3bffa59ed5db758f9b51bbbcd9dd6bc5fceebc8bfe05e10",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+ACCUMULATED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 230416, bytes: 13496 },
+    spirv: Spirv::Packed { pack: PACK, first: 238064, bytes: 14424 },
     bindings: BINDINGS_11,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c1112dc55efb1b7e06811822328528193161105efb6c9c0d6d9d4c2b7fb24b9b",
+    hash: "b43d2086f857a2c0a26e70086be889c93a382de6f96357bf9a6f23724ad94479",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 243912, bytes: 16448 },
+    spirv: Spirv::Packed { pack: PACK, first: 252488, bytes: 16448 },
     bindings: BINDINGS_5,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d631363a4b24f719c145221f7f2b14fb615ae4891a831071f30e7cdff1ea32ed",
+    hash: "2519fc50837e215f7abe36c23791680526dfb70f316ff060c5e681a873922844",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 260360, bytes: 16240 },
+    spirv: Spirv::Packed { pack: PACK, first: 268936, bytes: 17168 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "37021a01ed43672089971238e3d37f41f86d9994029bebc2cb8358b54ddbb93d",
+    hash: "9abb812bcf28af4786892e86e20e71d11cd8d5ba4809c563f96aa1264201bd8f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+WALLS+RESTRICTED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 276600, bytes: 16224 },
+    spirv: Spirv::Packed { pack: PACK, first: 286104, bytes: 17152 },
     bindings: BINDINGS_6,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e7c8025aa6c73e28cbcb74bb832976fc574e6d56826383233c230e6dfe56e2eb",
+    hash: "71dcb9d087a73f6d992eac27cd67d1ec3e8a511e90a915e3fc1392a3dd6cc3f6",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 292824, bytes: 14400 },
+    spirv: Spirv::Packed { pack: PACK, first: 303256, bytes: 14400 },
     bindings: BINDINGS_12,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "25a912482822aa86432fcce33a7af2efa9f62c6683c8d4d88fffe472f0f20bfe",
+    hash: "be41fcc810fa21ea18b46d348073671238a7cbbddc4b5da60e342ab3e2e013df",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 307224, bytes: 13896 },
+    spirv: Spirv::Packed { pack: PACK, first: 317656, bytes: 14824 },
     bindings: BINDINGS_13,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cef80c11bda820276bb7dbfbfcd175fd07c8cccf6c76fc2eb110337d00044940",
+    hash: "d916098f0ef30dee14b39ab5987fc20f22a947ff074655ef912390e2347ad2bf",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 321120, bytes: 13880 },
+    spirv: Spirv::Packed { pack: PACK, first: 332480, bytes: 14808 },
     bindings: BINDINGS_13,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f9cfe53e6e2a91a0594bc026b5068309c7cf06fc110d985fad57e921953d797c",
+    hash: "61e17f49b8d76e81031df7bc1b635dc89f5b3565ea01aeb6be86f0e5e4b45c6e",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 335000, bytes: 15324 },
+    spirv: Spirv::Packed { pack: PACK, first: 347288, bytes: 15324 },
     bindings: BINDINGS_14,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e0e082e9c6aeb70c3e869ba58886e6fb6ca92bd8490061b4275aa1f28a5a9c29",
+    hash: "961fc2f7326b2ca77eb7395677ecb1286a48a925427f485f74c66f8683176823",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 350324, bytes: 14900 },
+    spirv: Spirv::Packed { pack: PACK, first: 362612, bytes: 15828 },
     bindings: BINDINGS_15,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "66bfb421f564fe54de83dc96b445fd40078fa2202f3b7a544efc45b36d62a1af",
+    hash: "2494e743ed1a6b1ded2498f840d887019378f8ea4eeb0ce8e565f82796fd871d",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 365224, bytes: 14884 },
+    spirv: Spirv::Packed { pack: PACK, first: 378440, bytes: 15812 },
     bindings: BINDINGS_15,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "459fa59c4ccbd5c96a5d376e323240f3d48edf41bea6a162ff6d2e59d9a16e25",
+    hash: "c2e9cc555d3d195785ee8bbcebb203ba2fea89ab229154a745bd38eb7136a9c2",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 380108, bytes: 15440 },
+    spirv: Spirv::Packed { pack: PACK, first: 394252, bytes: 15440 },
     bindings: BINDINGS_14,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "196b8339a1702921eb0d4bf35f696a52ae61673e1b7e21a69df191bf2ad043f9",
+    hash: "eb7beb42cefa391aeec784edb73dc65bbe5803dcda8b9b0ab96a8ecd0e1c1ac2",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 395548, bytes: 15248 },
+    spirv: Spirv::Packed { pack: PACK, first: 409692, bytes: 16176 },
     bindings: BINDINGS_16,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b386621a87d0d1611905069dda6b57d1b896772efa16699c55222ab9364422d2",
+    hash: "b7c22ef2af6dce2723e67f036d5b8b183083812d347a168e5427c3a623b9dad9",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+ACCUMULATED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 410796, bytes: 15232 },
+    spirv: Spirv::Packed { pack: PACK, first: 425868, bytes: 16160 },
     bindings: BINDINGS_16,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "270494cecc6976bbb47797c6885c961ea1812246458cd0406112c8a99dfea185",
+    hash: "e4d344b3a91fbebcddae2990229bba34d29585ae95fbedab264d8012e3016b11",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 426028, bytes: 18184 },
+    spirv: Spirv::Packed { pack: PACK, first: 442028, bytes: 18184 },
     bindings: BINDINGS_17,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "75c2515ae91b9aa4f686322d2d3d782ade91ce68383aa46083c29897e72cad75",
+    hash: "ef49d4a5b8fe2055e799f4b92de5662855583f454b2f29c924c7d2cda62cbc8b",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM+RELAXED_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 444212, bytes: 17976 },
+    spirv: Spirv::Packed { pack: PACK, first: 460212, bytes: 18904 },
     bindings: BINDINGS_18,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fef4c679a545d271eef00a8387b5417892a01e7fe99ea20c75e2dfb743efd103",
+    hash: "d274a0d27472142129d20c11f8c41d8cef234c04a43e525f6551d23a94d73c60",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     name: "ConstrainDensity+SOLID_WALLS+RESTRICTED_MOMENTUM+HALF_PRECISION",
     entry: "ConstrainDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 462188, bytes: 17960 },
+    spirv: Spirv::Packed { pack: PACK, first: 479116, bytes: 18888 },
     bindings: BINDINGS_18,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "617b7fd10b506fe0277df598a7b89e6e3837f7fe45e4493cb6797ffc57fed440",
+    hash: "f22d41d90e9c8d66817e9fa35f163532b8f59126bfb2e2f766f04436f22de9fb",
 };

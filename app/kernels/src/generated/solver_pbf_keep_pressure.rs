@@ -136,18 +136,18 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "3eb57a96129d818b8ab9df845171353b677b946b65aee626c615b9bca140caa6",
+    hash: "5805066234aa66c82045b6f6794c2438b13abd5566d700b17f0428fda67e4704",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "KeepPressure+RELAXED_PRECISION",
     entry: "KeepPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5364, bytes: 5116 },
+    spirv: Spirv::Packed { pack: PACK, first: 5364, bytes: 5720 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "88a9bda0a0e524d0e0ab8f93a9642bf1dc1be379b75c8ddd0a9a4186d6c82340",
+    hash: "9070e2edb866c7ea94a7c611c07a2501d06c42f8970643c2f28319706e903d06",
 };

@@ -117,7 +117,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "a4506ba47df54d3fdd23be6ca9fed1a0da2d7b55d57f4180e66ef2186bdf2b9f",
+    hash: "22566e66814c76e40c3af4a03fa73d2f2063061b25b19f4d8a577407f1242eaf",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -130,5 +130,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "3a337cff3213c64c3e641907ec5a5f110f6e7f6027995045ce73bb536734c99f",
+    hash: "123a654ab33861ad4188ace414b65e08b233ff7d4c9ba4d9ebbdf2aebd8a8e99",
 };

@@ -204,44 +204,44 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "46d416353c2e76573aac30882a9f84493d15c9d402ea2354ea5a58a3dfbe6ab9",
+    hash: "8a665cf6212229868e32e934b4030f8d4fd709cbe4aa4a696c4459f89feabb65",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     name: "StartWarm+RELAXED_PRECISION",
     entry: "StartWarm",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6524, bytes: 6260 },
+    spirv: Spirv::Packed { pack: PACK, first: 6524, bytes: 6700 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "c7e16bbbd4f6dde2bbab43f567ba82ab9b457e7d9f552fd3f0eaad1e6b9ca220",
+    hash: "3572cf6d50cb84fef69924f07dec0566a95358afac5ccd24187f804fdeafd76b",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
     name: "StartWarm+WALLS",
     entry: "StartWarm",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 12784, bytes: 7532 },
+    spirv: Spirv::Packed { pack: PACK, first: 13224, bytes: 7532 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "13e9fc626b6b40766fc6ffc521ffd9af307d7a03dc239d41799e71fa13849779",
+    hash: "4fc6da457fa172f73efdb0dec6b21f12c13a06f341633610e0535d3613b84a4b",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "StartWarm+WALLS+RELAXED_PRECISION",
     entry: "StartWarm",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20316, bytes: 7268 },
+    spirv: Spirv::Packed { pack: PACK, first: 20756, bytes: 7692 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "fa3a9cf916f8c9e34e729dcc67bdf64cff80119660d271d687e9ba38234d6683",
+    hash: "567879f75fbb2da458a1469fe7cd9128f869377225082eb233d8f8d94df0f56f",
 };

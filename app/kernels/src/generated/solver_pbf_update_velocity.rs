@@ -276,7 +276,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "37e641cf81eadd83bc6027c55f1da648347d06c600823bb4fcdef1a3131f7dc7",
+    hash: "e0721f38f69ac0289666ae0434382c91a0c5b659071abcf44d0125743594bf78",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
@@ -289,7 +289,7 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "7d056253f3183a8497ad8f4caceae853d606b6e1e54561a3d8c4afe26ee68802",
+    hash: "263749b9b5574d6cc80c7b085c584618efd5c5a66bbeb86d2d1cb37adc9f2fc9",
 };
 
 static UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY: Module = Module {
@@ -302,7 +302,7 @@ static UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ef093e56e3e8366d36f0d74ed566f0b61e898eb58a2518c187d725cfe9adfdf6",
+    hash: "790e12da3d232ec7357c34c14867a16916eb040e313dac24c2e574ce76c55559",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -315,7 +315,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "397da0f264c252759f664f9ad6490c5c89e01f55edc0f5d25735a65f49aca340",
+    hash: "8d85a16229a6e7738977a0314a41ce7146c13a87c17a04a3268298f305353ab7",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -328,7 +328,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c2551e2befa618c28606946c6844628c1753cf95871436bfd1153c3099eed9c7",
+    hash: "77ea94db7a250b2fe8697b47d7e8182d0a3e2db26a0e7e373d124507834b922a",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
@@ -341,83 +341,83 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "d57b9f5e3318b00580a7e7ff1ef0bfea3fab9f1d495820d1df94ff7689ff4257",
+    hash: "a570e8639bfba602b771069743536183fa3a26966275b1a73354c7f7e2ce1d32",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 42124, bytes: 6956 },
+    spirv: Spirv::Packed { pack: PACK, first: 42124, bytes: 7560 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "382db11f5444f2243a0d085108063ec9ab1724589673a5c816ceb4225b0e8797",
+    hash: "f5a45b2071aaa8f0bd0b4faeb16bb9b7f5c64b5a9d1c1f7f2d0853cf3d7ffe43",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 49080, bytes: 4836 },
+    spirv: Spirv::Packed { pack: PACK, first: 49684, bytes: 5440 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ea6b29cd094edb9cd88ee49d2fdf5f05fb69c104cc5b63b850de5f08644e5848",
+    hash: "345a5d4cef095b8f99b3ebec006ba8b8023d7dfd62019af389bce29f60ad212a",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 53916, bytes: 6740 },
+    spirv: Spirv::Packed { pack: PACK, first: 55124, bytes: 7344 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c08e561a0598e9022b494708142742dc7f2ec6af7dcabfe2a5405ebc11569644",
+    hash: "a0a1a3dd04c8567a91702054f62534a7069d7f3bb489e0fea17669ee748cd474",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 60656, bytes: 7956 },
+    spirv: Spirv::Packed { pack: PACK, first: 62468, bytes: 8560 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ec81d1ca99168ab3f76bcd116e0a4b86b83d5d61519545ca78c9161f41bab770",
+    hash: "e8cf62465db64603edeb7db52a7c0e3e232b5f50546f8e30c4c1e344550668a7",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 68612, bytes: 6576 },
+    spirv: Spirv::Packed { pack: PACK, first: 71028, bytes: 7180 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ff2baa61f0f5466a48c4ebfeef55eb4762cb342793c6dc978b99fa6fee14271b",
+    hash: "d7156e0cbc7148b334926ce392efaca99543bbfbf0c0a673909f7513d0253099",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75188, bytes: 7740 },
+    spirv: Spirv::Packed { pack: PACK, first: 78208, bytes: 8344 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c14ed464241f69c725b9ad3102a31b0de0e4a1d9555ecc389da38f07140cfa58",
+    hash: "31a06f7cb9bc9f2369e519d4a0ced224a40c9e6a0837642e27a0038cdfe869c0",
 };

@@ -264,304 +264,304 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "64c688db4f3a704bf70830a36be6a17437389cc0c49b08cd4407f0d1e8a5e9a3",
+    hash: "f8196ef339092728cd082b6ec46295de8c717a0edeba07256270fe2618565676",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15940, bytes: 15304 },
+    spirv: Spirv::Packed { pack: PACK, first: 15940, bytes: 15800 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3de20b378acc138f9fa99caa8197f6e747c19fbb9632d51b43b4a0bce21bad0e",
+    hash: "f3c4788ac43801a8a8053ea80ed2e4bc8b68f361659e3c6554ff73f2fbf27ce3",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 31244, bytes: 15384 },
+    spirv: Spirv::Packed { pack: PACK, first: 31740, bytes: 15880 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "f37822d4a44795af484db8a9a9e10b1239e9c089ede70a6e8c67a3991b8b3434",
+    hash: "20b4e73f93cc0371488b1989db69f51a6b1fc79b395f5d32523fd39cad340892",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46628, bytes: 18120 },
+    spirv: Spirv::Packed { pack: PACK, first: 47620, bytes: 18120 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d9b469c0540cd0f2b3cb4ecefe54287e8b9ba67dc83f6b3d6e484abd8e866187",
+    hash: "cf1a45c414adc923491d9b93f5b2ecd9dba19bcc16892f3a18da5ec6c04106bb",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 64748, bytes: 17484 },
+    spirv: Spirv::Packed { pack: PACK, first: 65740, bytes: 17980 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "99b034791fe0f11a2a427cbb8af671d75eaca064919e91d8f624f7de0a403e87",
+    hash: "f23bf18c2b7cebc6578302cabd6091e3c36aa6fdfdf2a7aa3ed96642145b0152",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 82232, bytes: 17564 },
+    spirv: Spirv::Packed { pack: PACK, first: 83720, bytes: 18060 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "5173a05a74945cf892b4b8e0704eca12e47d1f9c1cdd5fb45f156c6f73ef9087",
+    hash: "1cf0a7a7649a03b35a7c247e081d1c55ed53e251f25e4103e9d2255bba84c19e",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 99796, bytes: 18772 },
+    spirv: Spirv::Packed { pack: PACK, first: 101780, bytes: 18772 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b94624c3f0cb1b4145f29c8671a855a697d90fb2fa257b6aa59de73a5ba21b7c",
+    hash: "639f6b3d1261f0b568a6b23054665c6f1e940837cbb130a422d6a2e39d47fd9f",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 118568, bytes: 18040 },
+    spirv: Spirv::Packed { pack: PACK, first: 120552, bytes: 18536 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "78d32798bfa61517b1161c7e530305db65a629b801d3dcf774111daae437600a",
+    hash: "d2b8728084b0148638d8c4c4a7cfe03ce51c2c586e3d0884a2eae3466ae60ab3",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 136608, bytes: 18040 },
+    spirv: Spirv::Packed { pack: PACK, first: 139088, bytes: 18536 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7d41b73c048ab26e6ed5e372b543de889253c2cbfe9602f0c509d7a61ca8439a",
+    hash: "077e82c87e438545334f03d1f5bdc5b12d44ec07811048e8dc25f8608e6e06d8",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 154648, bytes: 20932 },
+    spirv: Spirv::Packed { pack: PACK, first: 157624, bytes: 20932 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "503df652200f5781552b4050486658865d3f5ee6312e4cf75b4f754d3a83d88b",
+    hash: "e06ed03e849eb2ea3ec15be0ef6a96736ecc6d2993776a7faa6fded3c1b819ca",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 175580, bytes: 20200 },
+    spirv: Spirv::Packed { pack: PACK, first: 178556, bytes: 20696 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "08287333f5d053b6a48ed97da7a3f98d621aab2698adbd4ca62b7192b02ce3d2",
+    hash: "3e62dd56f1973c8fcd4e7138dcd7811f022412aff6d5bf1286545f8b7baf72d1",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 195780, bytes: 20200 },
+    spirv: Spirv::Packed { pack: PACK, first: 199252, bytes: 20696 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e75774de50cb8eddeaf5810e05c03fc042d0805cf6e0a708700ddd4a06fc43c0",
+    hash: "da55ff8336370040e454229a16aff4615253670901786088356353879b912f78",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
     name: "Accelerate+WALLS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 215980, bytes: 18684 },
+    spirv: Spirv::Packed { pack: PACK, first: 219948, bytes: 18684 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4770beedec107e93a082df6c35f4c8779867f63de827b13729baacf1b257bef5",
+    hash: "ba991f05969e082455c8505e72323f3d21e60e1a0c8c11ef2b0ce2297e542f36",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 234664, bytes: 18048 },
+    spirv: Spirv::Packed { pack: PACK, first: 238632, bytes: 18544 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "57b1d0193a66c99d0e4621085a105151ce442f519956992ff56094f2e616bff7",
+    hash: "4d306d6190e190442847932a3fa26c1223d459354a6133967c6d129fde2f2f91",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 252712, bytes: 18128 },
+    spirv: Spirv::Packed { pack: PACK, first: 257176, bytes: 18624 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "eca9905a161faffb520a5d9b90c2856b1bbcac2329692cdb8ce3113fb4bbc0b5",
+    hash: "4e1c0064430dcfa13dfe8eea5682e8d893169e0b45631ea96917c6384a6bdbaf",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 270840, bytes: 20864 },
+    spirv: Spirv::Packed { pack: PACK, first: 275800, bytes: 20864 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a03ed65c19c969f95509534517f460c9573ad4f6420b60e928692f583fc8e55b",
+    hash: "bce084a78441c3b5f81223bf42727eb6a1e143f99337d2ec248e343ed093c45a",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 291704, bytes: 20228 },
+    spirv: Spirv::Packed { pack: PACK, first: 296664, bytes: 20724 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "86bf39efea29fc794fc7c0a24508d8a007441cd34d2e353de37a77d93795c24f",
+    hash: "3f6d70e1a437f962a1254bdda36bb266b4e7036a61de5780bf4c83d95fe69ec7",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 311932, bytes: 20308 },
+    spirv: Spirv::Packed { pack: PACK, first: 317388, bytes: 20804 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "8bae7aa02865a9fc928772e4d00cd17f8baad156f88cfd80e526c7bb195715a9",
+    hash: "017e7755ad55c013562db5da7c5f451bbbb29b52e521c7caece9c6f76173b167",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 332240, bytes: 21468 },
+    spirv: Spirv::Packed { pack: PACK, first: 338192, bytes: 21468 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fcac85c0bc846bea939cd4f12dcb780ccd82b36b2552eb255bb129485dfc88cc",
+    hash: "2c7fa4146a9349fea2ba8d2d652deb11ae406780cb894dfb1da007590410a771",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 353708, bytes: 20736 },
+    spirv: Spirv::Packed { pack: PACK, first: 359660, bytes: 21232 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "1d51f595f7534afb5c7ec5305819b6ba026e495cc140f774bddec2f708bb8489",
+    hash: "1398f98c8fd4cbf6285dd6a99af65f8228b5bcead88f571d23673223bbff6bf2",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 374444, bytes: 20736 },
+    spirv: Spirv::Packed { pack: PACK, first: 380892, bytes: 21232 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2928aeab60cf52f9ce8d228d972f191413c58146183a86a894c54be9f921b118",
+    hash: "2062bf50d9a8b509161c699118edc762dd7550c6bcaab0ecffb812f4bb59b873",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 395180, bytes: 23628 },
+    spirv: Spirv::Packed { pack: PACK, first: 402124, bytes: 23628 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "569ec0d9b956b098c2ca72da74069eb0b1b977fcd893ae9b86ebd7cb4a52a908",
+    hash: "c3215a7a25163fb7621178a43c1b2f830765cf33801a97a4d628d9e30d54c26c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 418808, bytes: 22896 },
+    spirv: Spirv::Packed { pack: PACK, first: 425752, bytes: 23392 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9b01b63bcc8b4d2cd2f292f8b9b301eca3c8313f423a272616a497d0f44bbb12",
+    hash: "709fba4b7b187c825a4e6a5d8d09c77f6edbc15e8d40aeee3a2d79fe0d7e636b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 441704, bytes: 22896 },
+    spirv: Spirv::Packed { pack: PACK, first: 449144, bytes: 23392 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f740fdc6e870a9b17eb0cc1f7305d9dca5e4b953387c53ba8bd84ef3c9f5f397",
+    hash: "f3943f3bc0f69eba32b11c8d07cbc917d0e970e43d0ac517b240b3eb50b1f57a",
 };

@@ -341,304 +341,304 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1c53b21959d8f405d357ddeab5ef4633450b43788cba4ddbb56631a7ff66cd34",
+    hash: "69069fb9b0c1506e7d39661121aeaac530c34d3e55acbad6b04029af8242c5bc",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10476, bytes: 10068 },
+    spirv: Spirv::Packed { pack: PACK, first: 10476, bytes: 10484 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5e1cde44373531c6e56da402671af11f100b86c21bf7b30dbf0c106846006bca",
+    hash: "269736f2738fc240b9b8de28a54986285012f7f1dc3caac2e2cfc0473f666d81",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20544, bytes: 10004 },
+    spirv: Spirv::Packed { pack: PACK, first: 20960, bytes: 10420 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "fea668e8c932ad56f74a1449d2ff5fa31e857003d74e2a7a1c3d4006a6b59fad",
+    hash: "b580208b713df2be90ff77a118b98f8a86d695e7300af0fd0b4f15e78c03b9b9",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30548, bytes: 11172 },
+    spirv: Spirv::Packed { pack: PACK, first: 31380, bytes: 11172 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6a936852580819ddadc0ec565eb653e8a8b5933fb602802f2faa0a30df578ec1",
+    hash: "b0ffc5f045e74729479fa1025b51e94606b6ea2027b6cd86ccf3df14e7e1d872",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 41720, bytes: 10812 },
+    spirv: Spirv::Packed { pack: PACK, first: 42552, bytes: 11228 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "33d6bf42137d45ff318c8d3b1f8b4ab1c007fecac199c96f9c3c45fb20d8aaa3",
+    hash: "eb2b3a1533e63256c39003217e02334e9c6e3d00f41f9948801e13722f29b22d",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 52532, bytes: 10764 },
+    spirv: Spirv::Packed { pack: PACK, first: 53780, bytes: 11180 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "48f8dd38b7cddd6ea35f4652619f5e076fca63bef1a0349c5c735fd6897d3c64",
+    hash: "b9fa0d12c4d5281e0736ebf897526e0f6644cfbc88c32b11d4d4d5bf8b601919",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 63296, bytes: 11536 },
+    spirv: Spirv::Packed { pack: PACK, first: 64960, bytes: 11536 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4feac5cde2d11915333bf9604b9d504b38a401382a80377496ab175ecbd8d0d0",
+    hash: "c117c08d6628899d592fc911f1d68a63b5632344928b47d91394a1119873f68a",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 74832, bytes: 10888 },
+    spirv: Spirv::Packed { pack: PACK, first: 76496, bytes: 11304 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "31a01a1b517e5a3ecc8bb341b1b6f8b2fe922c94a971c242094124ab3c830de8",
+    hash: "59bc242f9b0d36f795a2536fcf37a80254121ee65e36748757ec1c77cf0ee7aa",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 85720, bytes: 10888 },
+    spirv: Spirv::Packed { pack: PACK, first: 87800, bytes: 11304 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c21e7fd7091a073eed48660530ec3bcfd4751cf791a052e2671634d3459c969f",
+    hash: "6190696fe64268c5bc5733faee171a29a452379160150c04e6a6717343d0e84d",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 96608, bytes: 13560 },
+    spirv: Spirv::Packed { pack: PACK, first: 99104, bytes: 13560 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b4e68d661984edd5111e1744a77cc9457f7c76ca011a11c02458bad434aa5dd5",
+    hash: "156e0c66d280c049b9752394c1b63270363c1c7eecb2915c58f281c75b30cd15",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 110168, bytes: 12912 },
+    spirv: Spirv::Packed { pack: PACK, first: 112664, bytes: 13328 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1796f0bfb23f052fa7d549e4d70347d8a47a36d462a9def6b15f82fb9b10beee",
+    hash: "d43c7a2d3c29d80811dd679f0eab5211a5605658c4c78b15c61d2b76dd919b6b",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 123080, bytes: 12912 },
+    spirv: Spirv::Packed { pack: PACK, first: 125992, bytes: 13328 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "75850d1c704e704c9e1949782fff798610400550159c9f5d6627d5f5c308ae44",
+    hash: "05f37f6a07c8c35d2fd9f8afdc9e342cd90e5ebc6912155e0755329f55248622",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     name: "ComputeDensity+WALLS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 135992, bytes: 12580 },
+    spirv: Spirv::Packed { pack: PACK, first: 139320, bytes: 12580 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d4e65fdb2ec17bfb30ea8f88787cac4cf3597db5c01fe868f280c97ab658a5f8",
+    hash: "cfe4410d31d34b01354e37cec064e0640b1cf2f8c779b8aed234c49851052cc3",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 148572, bytes: 12172 },
+    spirv: Spirv::Packed { pack: PACK, first: 151900, bytes: 12588 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fa467fbab1b9a6d260f10c48f3489abb69b63e52566c13fdc888dd2a549f2575",
+    hash: "7c07a6443eda26f2ede6fce29dfcf5509c0a695fff9bd1d10a3d3c54759a7f89",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 160744, bytes: 12108 },
+    spirv: Spirv::Packed { pack: PACK, first: 164488, bytes: 12524 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "64d1272a8e091d68b0a837b4c76d1ebc4408d436e0f0b4b28456ee1709bee4dd",
+    hash: "10047b6e8e077ff5924fde960c2d3aed12ed512ee2b7768f4c66ee7914057d5b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 172852, bytes: 14048 },
+    spirv: Spirv::Packed { pack: PACK, first: 177012, bytes: 14048 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d165ff800bc6dadc431d64bd493e35d9ba6168e50c93c0f91206db0b4e4208c8",
+    hash: "87a427902d9e0a83c7fc5ae2f5719e8e8664b02ce86fe8624c43c22fa21a269d",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 186900, bytes: 13688 },
+    spirv: Spirv::Packed { pack: PACK, first: 191060, bytes: 14104 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "022cb7cc75d3d8461676f1b93fb94d08baff23ca58903194b0ac9a6dde9cec34",
+    hash: "d967570aea892ed31320cb1f45e059b2a6b30efbb55e1e9f03e58ef72824291c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 200588, bytes: 13656 },
+    spirv: Spirv::Packed { pack: PACK, first: 205164, bytes: 14072 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "a80cf1b9b8af0ae8891e0b21c1ed9aad30b45b5b29e2d5757c8e5d049584f406",
+    hash: "c69d8afcb712a8595e7cf6d975e96b92db4fff277e12b163d8ac91febb045664",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 214244, bytes: 13624 },
+    spirv: Spirv::Packed { pack: PACK, first: 219236, bytes: 13624 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a86c5b88ca9b3460e0cf847b8176604209340908715e16ef1bacfe99a58bb7f7",
+    hash: "ed5e4be4d4a691fd62f1cecf2dfeb943f6eb33712df2dc9822c35b15cd573b80",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 227868, bytes: 12976 },
+    spirv: Spirv::Packed { pack: PACK, first: 232860, bytes: 13392 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "474551de620c81728bc5adec7ffe00d1ec0ed060a3d3f29c9b98f9c1cb85ba57",
+    hash: "4d36bbdc4ab4193f02ddf7d6d3fe145a92b1cc3c23d81e139df10ae81b4fa448",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 240844, bytes: 12976 },
+    spirv: Spirv::Packed { pack: PACK, first: 246252, bytes: 13392 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fccf0cffe9e72cf27cf7a84398a3e4adff9801f1e4c6f537b674ddc085795811",
+    hash: "4b1bc073c0fdd568a1d8e9f27f5993f6a6e984f493601e1552e385036b5c1e60",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 253820, bytes: 16404 },
+    spirv: Spirv::Packed { pack: PACK, first: 259644, bytes: 16404 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "03402d938a15a4a014930f67c4151770e3e2a9e3dace8a5dde45ad2c2fd87637",
+    hash: "3acc72832d6c08711ad7534f6affe518fef4d15a3926c105b3bf80b746e2e90b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 270224, bytes: 15756 },
+    spirv: Spirv::Packed { pack: PACK, first: 276048, bytes: 16172 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b0190582181ad878eebff83ed1da9e41d896cc38ec1580a2883a357ad7b2a5a4",
+    hash: "a99685050ae60aaacf35d811afdd8147b524def9b7bfaec30784b3a4a726315b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 285980, bytes: 15756 },
+    spirv: Spirv::Packed { pack: PACK, first: 292220, bytes: 16172 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c71608d0d1495fc4840f5a32a87d1a7a981fec87551dab4a0dfb1875371ba688",
+    hash: "d853ecba77f65b2bfd136ba5f08bb5c99c9758701d34fd863c6c5be1e5daa686",
 };

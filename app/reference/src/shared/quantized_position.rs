@@ -2,25 +2,30 @@
 
 use glam::DVec3;
 
-/// How many bits a coordinate has.
+/// Bits of a coordinate.
+const BITS: u32 = 21;
+/// Length of a step of it, in h.
+const STORED_STEP: f64 = 4.0 / (1u32 << BITS) as f64;
+
+/// How many bits of a coordinate pairs see.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantization {
     /// 21 bits an axis.
     Full,
-    /// 16 bits an axis, and an f16 in the rest.
+    /// As many, of which pairs see the first 16: beside an f16 no more have room.
     Packed,
 }
 
 impl Quantization {
-    /// Bits of a coordinate.
+    /// Bits of a coordinate that pairs see.
     pub fn bits(self) -> u32 {
         match self {
-            Self::Full => 21,
+            Self::Full => BITS,
             Self::Packed => 16,
         }
     }
 
-    /// Length of a step of a coordinate, in h: 4 h are 2^bits of them.
+    /// Length of a step of a coordinate as pairs see it, in h: 4 h are 2^bits of them.
     pub fn step(self) -> f64 {
         4.0 / f64::from(1u32 << self.bits())
     }
@@ -36,14 +41,17 @@ impl Quantization {
 
     /// A length in h in steps, rounded, as a coordinate in the top bits of 32.
     pub fn fixed_point(self, length_h: f64) -> u32 {
-        ((length_h / self.step()).round_ties_even() as i64 as u32) << (32 - self.bits())
+        ((length_h / STORED_STEP).round_ties_even() as i64 as u32) << (32 - BITS)
     }
 
     /// The coordinates as they are stored.
     pub fn pack(self, [x, y, z]: [u32; 3]) -> [u32; 2] {
         match self {
             Self::Full => [(x & !0x7ff) | y >> 21, (z & !0x7ff) | (y >> 10 & 0x7ff)],
-            Self::Packed => [(x & 0xffff_0000) | y >> 16, z & 0xffff_0000],
+            Self::Packed => {
+                let last = [x, y, z].map(|c| c >> 11 & 0x1f);
+                [(x & 0xffff_0000) | y >> 16, (z & 0xffff_0000) | last[0] << 10 | last[1] << 5 | last[2]]
+            }
         }
     }
 
@@ -51,7 +59,11 @@ impl Quantization {
     pub fn coordinates(self, [low, high]: [u32; 2]) -> [u32; 3] {
         match self {
             Self::Full => [low & !0x7ff, low << 21 | (high & 0x7ff) << 10, high & !0x7ff],
-            Self::Packed => [low & 0xffff_0000, low << 16, high & 0xffff_0000],
+            Self::Packed => [
+                (low & 0xffff_0000) | (high >> 10 & 0x1f) << 11,
+                (low << 16) | (high >> 5 & 0x1f) << 11,
+                (high & 0xffff_0000) | (high & 0x1f) << 11,
+            ],
         }
     }
 
@@ -59,6 +71,14 @@ impl Quantization {
     pub fn near(self, quantized: [u32; 2], position_h: DVec3) -> DVec3 {
         let modulo = DVec3::from_array(self.coordinates(quantized).map(f64::from)) / f64::from(1u32 << 30);
         modulo + 4.0 * ((position_h - modulo) / 4.0).round()
+    }
+
+    /// As pairs see it, with nothing in the bits that a lambda takes.
+    pub fn of_pairs(self, [low, high]: [u32; 2]) -> [u32; 2] {
+        match self {
+            Self::Full => [low, high],
+            Self::Packed => [low, high & 0xffff_0000],
+        }
     }
 
     /// From x_j to x_i, in h, as long as it is less than two along each axis.
@@ -94,10 +114,14 @@ mod tests {
     #[test]
     fn coordinates_are_kept() {
         for quantization in [Quantization::Full, Quantization::Packed] {
-            let mask = u32::MAX << (32 - quantization.bits());
+            let mask = u32::MAX << (32 - BITS);
             for seed in [0u32, 1, 0x1234_5678, 0xffff_ffff, 0x8000_0800] {
                 let coordinates = [seed, seed.rotate_left(11), seed.rotate_left(23)].map(|c| c & mask);
-                assert_eq!(quantization.coordinates(quantization.pack(coordinates)), coordinates);
+                let quantized = quantization.pack(coordinates);
+                assert_eq!(quantization.coordinates(quantized), coordinates);
+                let seen = u32::MAX << (32 - quantization.bits());
+                let of_pairs = quantization.coordinates(quantization.of_pairs(quantized));
+                assert_eq!(of_pairs, coordinates.map(|c| c & seen));
             }
         }
     }

@@ -6,8 +6,9 @@ use crate::action::keys;
 use crate::marks::mark;
 use crate::style;
 
-const MOUSE: [(&str, &str); 6] = [
+const MOUSE: [(&str, &str); 7] = [
     ("drag", "push the fluid"),
+    ("drag a body", "hold it, and take it along"),
     ("drag, right button", "turn the camera"),
     ("drag, middle button, or Shift and right", "move the camera sideways"),
     ("wheel, or pinch", "nearer and farther"),

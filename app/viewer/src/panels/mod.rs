@@ -7,6 +7,7 @@ pub mod picture;
 mod quality;
 pub mod settings;
 mod side;
+mod sources;
 mod times;
 
 use std::path::Path;
@@ -15,11 +16,14 @@ use brooklet_fluid::Stats;
 use brooklet_gpu::Gpu;
 use brooklet_render::left_out::Absent;
 use egui::{Context, Panel, TextureId};
+use glam::DVec2;
 
 use crate::action::Action;
+use crate::flow::Flow;
 use crate::governor::Governor;
 use crate::loading::Progress;
 use crate::messages::Messages;
+use crate::place::Place;
 use crate::pointer::{Pointing, Strokes};
 use crate::style;
 use crate::times::Times;
@@ -57,6 +61,12 @@ pub struct PanelInput<'a> {
     pub messages: &'a Messages,
     /// Settings that wait for the next reset.
     pub waiting: &'a [String],
+    /// What came and went.
+    pub flow: &'a Flow,
+    /// What the next touch of the picture places.
+    pub placing: Option<Place>,
+    /// From where a body is held to where the hand is, in parts of the picture's width and height.
+    pub tether: Option<[DVec2; 2]>,
 }
 
 /// What a program shows in place of the panels: over the picture ([`picture::show`]), or without one.

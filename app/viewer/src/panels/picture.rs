@@ -1,6 +1,6 @@
 //! The picture of the fluid, and the pointer on it.
 
-use egui::{CentralPanel, Color32, Frame, ProgressBar, Rect, RichText, Sense, Ui, pos2, vec2};
+use egui::{CentralPanel, Color32, CursorIcon, Frame, ProgressBar, Rect, RichText, Sense, Stroke, Ui, pos2, vec2};
 
 use super::{PanelInput, PanelOutput};
 use crate::marks::mark;
@@ -20,10 +20,24 @@ pub fn show(ui: &mut Ui, shown: &PanelInput<'_>, strokes: &mut Strokes, panel_ou
         let response = ui.interact(room, ui.scope_id().with("picture"), Sense::click_and_drag());
         mark(&response, "picture");
         panel_output.pointing = Pointing::on(&response, strokes);
+        hand(ui, room, shown);
         if let Some((what, progress)) = shown.loading {
             loading(ui, room, what, progress, shown.picture.is_none());
         }
     });
+}
+
+/// What the hand holds or is about to place.
+fn hand(ui: &Ui, room: Rect, shown: &PanelInput<'_>) {
+    if shown.placing.is_some() && ui.rect_contains_pointer(room) {
+        ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
+    }
+    let Some(tether) = shown.tether else { return };
+    ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
+    let [from, to] = tether.map(|at| room.min + vec2(at.x as f32, at.y as f32) * room.size());
+    let painter = ui.painter().with_clip_rect(room);
+    painter.line_segment([from, to], Stroke::new(1.5, Color32::from_white_alpha(170)));
+    painter.circle_filled(from, 3.5, style::ACCENT);
 }
 
 /// Where a picture of another shape covers all of the room, its middle in the room's.

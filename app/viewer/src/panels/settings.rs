@@ -1,7 +1,7 @@
 //! The scene's settings: every field of its file that means something in a window.
 
-use brooklet_fluid::Scene;
-use brooklet_fluid::scene::{Kind, Limits, Setting, Slider as Ends, Update};
+use brooklet_fluid::scene::{EmitterSettings, Kind, Limits, Setting, Slider as Ends, Update};
+use brooklet_fluid::{Scene, SceneError};
 use egui::{CollapsingHeader, ComboBox, DragValue, Grid, Response, RichText, Slider, SliderClamping, Ui};
 use toml::Value;
 
@@ -59,11 +59,22 @@ impl Draft {
         }
     }
 
+    /// Takes other emitters.
+    pub(super) fn take_emitters(&mut self, emitters: Vec<EmitterSettings>, is_final: bool, actions: &mut Vec<Action>) {
+        // The slots stay: the particles in them do.
+        let taken = self.scene.with_emitters(emitters, self.scene.slot_capacity());
+        self.take_scene(taken, is_final, actions);
+    }
+
     fn take(&mut self, wish: &Wish, actions: &mut Vec<Action>) {
-        match self.scene.with_setting(&wish.setting) {
+        self.take_scene(self.scene.with_setting(&wish.setting), wish.is_final, actions);
+    }
+
+    fn take_scene(&mut self, taken: Result<Scene, SceneError>, is_final: bool, actions: &mut Vec<Action>) {
+        match taken {
             Ok(scene) => {
                 *self = Self::new(scene);
-                if wish.is_final {
+                if is_final {
                     actions.push(Action::Apply(Box::new(self.scene.clone())));
                 }
             }
@@ -297,6 +308,19 @@ mod tests {
         assert!(draft.refused.as_ref().unwrap().contains("solver.pbf.relaxation"));
         draft.take(&Wish { setting: "solver.pbf.relaxation=0.7".into(), is_final: true }, &mut actions);
         assert!(draft.refused.is_none() && draft.scene.solver.pbf.relaxation == Some(0.7));
+        assert_eq!(actions, [Action::Apply(Box::new(draft.scene.clone()))]);
+    }
+
+    #[test]
+    fn an_emitter_that_goes_leaves_the_slots_and_a_bad_one_is_said() {
+        let mut draft = Draft::new(Scene::load("faucet", &[]).unwrap());
+        let (before, mut actions) = (draft.scene.clone(), Vec::new());
+        let up = EmitterSettings { direction: [0.0; 3], ..before.emitters[0].clone() };
+        draft.take_emitters(vec![up], true, &mut actions);
+        assert!(actions.is_empty() && draft.refused.as_ref().unwrap().contains("emitter.0.direction"));
+        draft.take_emitters(Vec::new(), true, &mut actions);
+        assert!(draft.scene.emitters.is_empty() && draft.refused.is_none());
+        assert_eq!(draft.scene.slot_capacity(), before.slot_capacity());
         assert_eq!(actions, [Action::Apply(Box::new(draft.scene.clone()))]);
     }
 

@@ -3,7 +3,7 @@
 use egui::{CollapsingHeader, RichText, ScrollArea, Ui};
 
 use super::settings::Draft;
-use super::{PanelInput, quality};
+use super::{PanelInput, quality, sources};
 use crate::action::Action;
 use crate::marks::mark;
 use crate::style;
@@ -28,6 +28,9 @@ pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>, draft: &mut Option<Draft
         }
         let header = CollapsingHeader::new("Quality").show(ui, |ui| quality::show(ui, shown, actions));
         mark(&header.header_response, "section quality");
+        let header =
+            CollapsingHeader::new("Emitters and bodies").show(ui, |ui| sources::show(ui, shown, draft, actions));
+        mark(&header.header_response, "section sources");
         if let Some(draft) = draft {
             draft.show(ui, actions);
         }

@@ -75,4 +75,17 @@ struct BodyContact
     float reserved1;
 };
 
+// Which body is dragged, by which of its points and to where (boundary/bodies/drag_body.compute).
+struct BodyDragParams
+{
+    float3 grip_m;                  // in its solid's frame
+    uint body;                      // NO_BODY: none is
+    float3 target_m;                // where the grip is drawn to
+    float kept;                     // share of the grip's velocity that is left of it
+    float pull_per_s;               // of the way to the target
+    float kept_spin;                // share of the body's spin that is left of it
+    float most_m_s;                 // the grip is made no faster
+    uint reserved0;
+};
+
 #endif

@@ -1,5 +1,6 @@
 //! Solids that the fluid moves. (Shaders: `boundary/bodies/`.)
 
+pub mod drag_body;
 pub mod find_contacts;
 pub mod step_bodies;
 
