@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "4d034c943e80c37e2da8a52cd13e5327e2c94f883c42b6573688bc5657acb37e",
+    hash: "984b8701c67c907b463f3422b54fe3a831ba80b3d5ad2cd09c8e0b9050aa3ebe",
 };

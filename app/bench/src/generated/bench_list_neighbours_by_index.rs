@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "953697026668e16dd8ed7ce4ea4a18575556479059943227900ba5b95bc5398c",
+    hash: "b531b724aa270ad4487a7fdb6e4168844a20254cc37a900670802f1f44cb72e4",
 };

@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "7b415a426dea896d0ceaf19bf310b36d1c4a58f83e7f4ce5f0a8721e3da581a4",
+    hash: "60c58b1ba5dc236003fdada599c2749d275a31bb5e7f72ed9864447821f53577",
 };

@@ -96,5 +96,5 @@ static FIND_CONTACTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/find_contacts.compute",
-    hash: "e5d9a9bfe286f5d9fba5c60eb5cf076206cfdd9fea70323845127745a9a96b48",
+    hash: "4f6a90bff1a11b42ed0d9f125a57c431d8b4bdbd35a4b452da98dcaf006301b8",
 };

@@ -83,5 +83,5 @@ static GATHER_REACTIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/gather_reactions.compute",
-    hash: "f7491bd34e76a91a12d32bbf630c24cf5b9d2a34a274a5a9a0bbe8163c9b871f",
+    hash: "6f64d1cd85bccf3c93c3f1dcb8ede9add597a6fb6dc3f8b1def91456a45f6908",
 };

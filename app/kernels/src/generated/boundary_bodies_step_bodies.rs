@@ -96,5 +96,5 @@ static STEP_BODIES: Module = Module {
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "8d3c74015eaf8796243bd13df9d733b817a3363744f049d1a525430fbbf7cec6",
+    hash: "985cc6df10586e302b919feadbc1511d5cd6be7f3ffb6f130616fc9e14a3f3b0",
 };

@@ -144,7 +144,7 @@ static COLLIDE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "691eeb83841310fb2a8705a5ef51b100d833f7a867f0f38cbb94325dbb1f7d69",
+    hash: "6b9a1ae0d5e0debb30f7ab211cd97dc77ad17a2b778ddd401b3968026b4b9a74",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
@@ -157,5 +157,5 @@ static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "736f8a147a1faef3a699f8800ada0ccf9d88101ce4a1f94ef827785466a13dc6",
+    hash: "2ec1a61040736f76fca3a010963f04a8ef3fa9497ad4bbe2442e2d2dbe0b88f8",
 };

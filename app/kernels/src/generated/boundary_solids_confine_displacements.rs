@@ -162,7 +162,7 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "fdcedbd378c26515e5625fa69c78f58c613d426cc78da56ecdc790d77572e815",
+    hash: "cb6e3f3f6305f2812efc040c4f1f89fda3affa5caaa059730ab0963ad9678248",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
@@ -175,7 +175,7 @@ static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "2a4688492bb14def4b7b2f130781b8371de6bebdf302514f34832e85626db369",
+    hash: "b5074ec81b39801427bb938a606cfe13c3b0b2c977191b0efc9651134a1df7b5",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
@@ -188,7 +188,7 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "65fc152050ea813b607c2091df77f7f5036346db916c4a1d03eec4304b370224",
+    hash: "31a00eb66fbf6408c3f67830f5cec0a392bee5f10b98f9a1e641716ae2466f6e",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
@@ -201,5 +201,5 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "433dc4c7328c00199158c318e99866149c2b0d1e13769fb7512b3d4fca690f6b",
+    hash: "90cf421f9156f68c178419f07a529e9e5bfe081f6122a7bde629e0d404ea0bc1",
 };

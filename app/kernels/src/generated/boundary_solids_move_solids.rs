@@ -71,5 +71,5 @@ static MOVE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "6164e2d6f30056eed9b1e2b5cd59af9965284e0ddac938d1c7f405ee62a298af",
+    hash: "2d18f2aa962c934a4f68ce35d81e80d32f58ea1a805317cca9dd899b30bdf196",
 };

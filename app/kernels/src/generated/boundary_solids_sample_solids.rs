@@ -93,5 +93,5 @@ static SAMPLE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "ea7696dc370433b156f91335fbcab6b2f18d35b8a9a3e0e8e941287da2df2f66",
+    hash: "81acd785279e567e8a27ccfa2585e4291895ade52770549e6158b851a3e31735",
 };

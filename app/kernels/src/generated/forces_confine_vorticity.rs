@@ -102,7 +102,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "72d8c015bd291097ef8767c58d0509d9f43a72e3ad5d2a9be6cda732d501cfcf",
+    hash: "fc6b1eb33cf2fabb0bdf93a7b83c6207f865dfec44bb8fadb20b86dab669989f",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "af7d84b8f2e0634b8158ebbf2303af06517f933a141f0abb56565a5f985506e6",
+    hash: "204782757fac13a599298f21eeaa586e9ac3a278d21b66f9077be670dad1b0c2",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "08333e983eff2e5adca0ba02de5ccd0e09ae885d91b4e96d28594d9777536f50",
+    hash: "58223e0aaa3e20d3d36e4f42479089cf56fceea5683b251862bf4c001b3525c4",
 };

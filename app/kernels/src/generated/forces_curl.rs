@@ -100,7 +100,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "2a6b52a54d1a5ff025e9dcab1034ee156c3005f07a4e25ee5f8bc7c9c5c71eb1",
+    hash: "17830d86475ca25b9cda3a7ebd431f7bc6bf90d2fb6d7ac0904bb2ddf34876d4",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -113,7 +113,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "738f4e478bd9dceb712809a91318fc9c76c0fb08879800784a464ce44980777a",
+    hash: "bd0f12aea56a3389d8aad71f8ea72edea819b3efa77d5e8fd29af593a4b3a19e",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -126,5 +126,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "4e3c5d67fb5cdb1a904577df44238fe064d66d7e11daaedb90faec93a00bcf7e",
+    hash: "aa82f5eefedb4ea617cf76a0ef82610ebcf947884840af22a82605b93d2df78d",
 };

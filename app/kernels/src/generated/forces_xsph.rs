@@ -105,7 +105,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "80f17504d9d95fa9ad4e141ede9c642b3ffe323e41eb26ab59a5e8d4b33b565d",
+    hash: "1b3f97493ac8e101b02d34a886beb4d79b8731be97360f598ccf65811b75e027",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -118,7 +118,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "689b8aa0bc1c65aa1e522e407cf87537bd56e02130f77ff0626503e7688e1dc3",
+    hash: "17abc07967aba22c87a7f792b91236de94241c081d5f6501014dfdbca9aefb2d",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -131,5 +131,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "1c3a2e0497a4d401098d30e83d9284a5b388ddea6e708ed7a7db949c2e645f8c",
+    hash: "3b916e4073aa40e115d67717b94bfda954d61f3aeaf258a4fa242b39154a0e54",
 };

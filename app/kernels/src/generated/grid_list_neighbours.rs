@@ -120,7 +120,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
@@ -132,102 +132,102 @@ static LIST_NEIGHBOURS: Module = Module {
     name: "ListNeighbours",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15120 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15332 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "867a920abd0ec9ac775948b4d0b645221fa49783735d8e421c6df5a27f8a9d50",
+    hash: "de4a6dfc817c43eb3d6b6fc4ab555ffdfcef79779cf6c35d3d448389db390121",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15120, bytes: 14772 },
+    spirv: Spirv::Packed { pack: PACK, first: 15332, bytes: 14984 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "5297309b51e445b67fb34264e1b3ff48b779faafcf8d9bf02dfe16f7b41ea0a3",
+    hash: "3cec831ef0d2c18b95ce227f32b3a23914f088d192ee70aaa0bd8e4ac8ecf12b",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29892, bytes: 17188 },
+    spirv: Spirv::Packed { pack: PACK, first: 30316, bytes: 17400 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "2b2f3cf6a864b9fabd1c0f5cc55c8246ce3158488cbb09ed4a6b1cdf374ea80a",
+    hash: "937320239a5ebbff4901000cabb384a0da69e0de012a272a5f50809841b96329",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 47080, bytes: 16840 },
+    spirv: Spirv::Packed { pack: PACK, first: 47716, bytes: 17052 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "627e6bdbd481b6e603a75025cab6cca56184276da134b476533671e095f6dd65",
+    hash: "20243e0177cd5771ed89d6c358d966289e2783006313cdd620c68bcc3ca3b5d6",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     name: "ListNeighbours+WRAPPED",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 63920, bytes: 18104 },
+    spirv: Spirv::Packed { pack: PACK, first: 64768, bytes: 18316 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "55629d12ea14b03be50ccd39838484dd5ef5b304a64dafa6fc625152cbf67edc",
+    hash: "58b7eeb9f1e22b9280210db10a16cbc2453ff0de34ba07769bfc74daabce8ee3",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+WRAPPED+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 82024, bytes: 17756 },
+    spirv: Spirv::Packed { pack: PACK, first: 83084, bytes: 17968 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "ca488d75d3505e5b2f1cd1631c3ae654c4d01c46c59b11290fbeacf585d479cb",
+    hash: "ee29add0e0f5f6c7b5dc7a38c2637113de681b453e38328d26ff86836fff8b6f",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+WRAPPED+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 99780, bytes: 19512 },
+    spirv: Spirv::Packed { pack: PACK, first: 101052, bytes: 19724 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "4c7843eace9881113eb061564b47ddbd1ce9812b673dbca82ba259620452be26",
+    hash: "c54eedaff94c155c60b0079a65af58933bc140c861581da7c525c25e52c68881",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+WRAPPED+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 119292, bytes: 19164 },
+    spirv: Spirv::Packed { pack: PACK, first: 120776, bytes: 19376 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "de47277ee92922db46f191c0750d6ee4c1dcd64ac7397b84b3e1589bf14a4cdd",
+    hash: "bd6f647259fc1659e8604f606492bbab987e464d79281858f48bbbb51cc2f44a",
 };

@@ -159,7 +159,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "7d73bb84d1cdcaebd52e287184dadaa452028821adcf8ced7aed0af04160dfc8",
+    hash: "10e6860b30769d4c3875cd15c3995ffb9a139d720e58cb0de9ebe3a4e5c8b74b",
 };
 
 static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
@@ -172,7 +172,7 @@ static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "b4f2992301502dfd8cb6a99e54e5759fb7b700c541b9b555a95aa85e29fceb6a",
+    hash: "51699a233dc0dd0990dcbe1ace0a37d073db788a2c1259bc81bcb66871a0edb2",
 };
 
 static REORDER_WITH_POSITIONS_ONLY: Module = Module {
@@ -185,7 +185,7 @@ static REORDER_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "225ebdf56294975fba6392ceda4a4b291c5f1543e42483e35966c9e6e874392b",
+    hash: "dc672b345bd202a77d748dadf0b9a4016dedb05c5a6c20793be449663c87e75b",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -198,7 +198,7 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "04d2e6de0258bb81981fff7fa07194bb91beaf9e389c20ccdb2bfb04bebab3f3",
+    hash: "4710cfae22d4107bb8c9695558e0e209f7047b429bb1d831c34e3f10f1611062",
 };
 
 static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
@@ -211,5 +211,5 @@ static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "675e1fc097a647084c0eb4351a434c3dd50eda7b73d39b0d6b2f7a8645fee918",
+    hash: "6792e7d3415023f5581964cd93ebd11c9468ffc6719f2f8ced9504a67edd7187",
 };

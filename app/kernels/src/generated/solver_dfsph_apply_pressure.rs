@@ -221,7 +221,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "463c7effd55e6506cb705520f4a2786fa352252183b8eef545b33efa7e18ae11",
+    hash: "56b567df81209c6149790b980563cda5c713606d700a67f67c1289c62e2ea6a9",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -234,7 +234,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "02ac729d489926a1a91c011ca70784822394ca6714d23ab699e130ab87d1e911",
+    hash: "01a73cf6d72861394e0852f81616cdb77e434a8449fdd0d7b417cb7f08b07a81",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -247,7 +247,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "1a9481adee19e0e94bdb7b76aac5b3b4ec32694d2fec4631e225b57df6765c00",
+    hash: "6edd8d3eed16afc4131ba48fc45210acfe861f1d4b0266db93fcead2801988ab",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -260,7 +260,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "1d2c014fbb9ea7b963d2c3ae94886a9b1fd22fe131ce53293ac1dc258c48781b",
+    hash: "ad661a3435c2c9bed34047d193d39c193ed0da1069be3f7311c6120136eec4c2",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -273,7 +273,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "ad2e62f100dfa9b00e219383847184a11155732793028dfb16923c6af8da2743",
+    hash: "d383ff17aa454c39b60427e0c6ddf033385d99dd2175b16a78ca448cfa6b2010",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -286,7 +286,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "1d51d3c5fe8feb2aa41b9abdd386614d0cf35eed8f8a5ca7ebb0a503fa8a1889",
+    hash: "ee5178a3782439df3c3457ac7602add1eb81cde9f39221a92d5635858cb0665a",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -299,7 +299,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "98750c3a5d3401bf720d3c098241d87f9b32e8937340aac9f69572e4ce2cc73b",
+    hash: "ba4ed168e33ed414fd3e849ca8decfada2a796cd303ccb1522fc8aeb3cfa2b7b",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -312,7 +312,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "56c8e5f030593fff1dbf900eac0bb65ad31bc36b89f1e1fe9f2c8b49a65d2fde",
+    hash: "8866aef3c8f1642e8501c8be8f9205e4c14d85f1f75485a91334fd066f0f0054",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -325,5 +325,5 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "d1bfdc0d373e3a93d5a50eb5de655b45ab2c5f6ab927a655758b69ac2ec3ceff",
+    hash: "03f52c22b04a2469ebcb4c2a873591ba15d42b5bf8855b835c0be0fbdf82b7db",
 };

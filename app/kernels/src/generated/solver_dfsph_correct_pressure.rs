@@ -214,7 +214,7 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b9ca213753b1d7a8c6ae6a91f53a9880d423459b424f7e18944d4ecb576ca3a1",
+    hash: "6e8863e6860a58c2891352b6e290a44585e1e1c00f72f699613eb09b0153b6d4",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "7e99334867def899f06904c199a64c46a67b2ba088a5ff327f2c014373780405",
+    hash: "f01a7f8ad9557bc86cab72431c5e4646a46c184310b0ddbeeb814647bd7f22ab",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "9b787ac0b23fc235fe88cf1398e44c9feb8d32346c97ecdf0a4ddfc81ed34330",
+    hash: "8cd970a1c2f4311fe5301542b8d6411f777e188969ca5076544b0822c8615908",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
@@ -253,7 +253,7 @@ static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8343732659edec386fc377c5f9146653926b9bc0ada9f81b850c2f5dd042a70f",
+    hash: "7f8809b30ce1e552477308312c227c8fd1cf73d416b7e46b711e9d19cdf1a791",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b37c18fc6dd1ff70886c943aa7489b399102523f1077663bff183faefca806bc",
+    hash: "7632a4428aa8a34a8d600efd8eae6ef8e5059e062a9273547121c095d7440636",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -279,7 +279,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "3b002822d6be44875d6371bfbde72556a8e08a435b2b8a533f26f5cd8a09296c",
+    hash: "468c5a127c3d77d3a4dd80d7d562bb0ffff24bb19b14447764fc43faafaeafc4",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
@@ -292,7 +292,7 @@ static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "3b221e6440b0924eddf4b7c67b31b4e6bce8b6e866a192de6ad4cd2d5987c772",
+    hash: "5fc581ed7e93f0b72e879dfdf683908cae76e08fb8f70066f4c15dbf5ae59377",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -305,7 +305,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "1662725c0f381d57c98abc2093ffbc491303fc9ce958d5af517a027e4c92c590",
+    hash: "4fac31deda5774371754cca208bc6e566a6342144ac82d03479969d6cd0f6ea3",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -318,7 +318,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6f2c28ccc0c8495c66985cd247a5f3a4e35f29f84139f9fee7034dba4380a26f",
+    hash: "c8d9f5e6b7f0314191ad5aeebe42c40297a41987ac97b3d4ac34bfeca471448e",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
@@ -331,7 +331,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e4e3a1809cd718538945aa1ada87adfb8576a8da4692d5331a4f385b132fe548",
+    hash: "5d5865fd213d57bd2626bad7a9e6e615b795f4cb316c324467b77f489fcb39c1",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "39a6a0268e48dd174c7ce1139fb49c4e065fe483aaa34dd373e23b525a138d20",
+    hash: "36edaec407255ac3b1fd284ba86ccb67d79e939b23a6eeafb25c2125d425fa5b",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -357,7 +357,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = M
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "519ef15cceb92f41c5fdb56619b1ccb3808aca1ef04df9d64b1d58de81d33bff",
+    hash: "376abaab36fe573478f749b53e476647d692e41a28915eeccad2b8358da18f68",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -370,7 +370,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "2c8e0696c84da01854a8af3f23408f3569978b035ca17bba0420f4a3c20bafef",
+    hash: "6737ed612bb311641f2a3b64c182e7383ea41d2c4d8c548789ee2a3988ff31a7",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -383,7 +383,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "3941fbb355e47fef436b4c9ed7c94e8fd6fa04f59c2bc46d7913402c1243f3de",
+    hash: "c0fdebd4c542deb694b2cbecc9366cafdae8faad64ddf645f68d7d7752a32e84",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -396,7 +396,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d9bed9cf4ba71f6233e97badf489542411963994e4a650c0f139a3f4bc84e1f8",
+    hash: "d4d9d8c7e2b30da1f9be3164c9e01486d5f12c3df0925b86b35d7962fafcb2ea",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
@@ -409,7 +409,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "0cb3cfa7042085f144846c1ac050c3cc8ec6f74ab51c5509d994427758d4c761",
+    hash: "9c0c20aa029f66448b43474b77858f893d1a4a5fe0fc44dc1e37416227c7e7d7",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: M
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6cea427abb77d5b96ffd614a6817dae4f5c87f91292d85807c9e04c55e9e98db",
+    hash: "4e3fcb1f0dd509c24cd64119c10ffe20bcbe6ee106e562b0edf84d39425a0a78",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -435,5 +435,5 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Modu
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "933fa4607c8e2a2371c6e0c96e9cd2b449a82915e5d2439bb3ea0cf6516e4f40",
+    hash: "b46da7782a786f2b4657965d0693a9c10535811fc474225551c750269d073395",
 };

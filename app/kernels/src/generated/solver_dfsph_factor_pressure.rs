@@ -184,7 +184,7 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "8d6caaef4914aab4b0103ab10a12387bb193a3d0e632505c8940733de9b541b4",
+    hash: "921c32cf08ec93ccb38205e4df0471ad61788fdebab46b0b826716d1fda8ecd2",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "690d2718816b27b5ada795c49b83e84207779ba72c2a4d19a38a0d2e0c279535",
+    hash: "53a26f1817da36a5a6af2ade87811ba645a5f619a81d73d5917563e19305ab70",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "0986f485bafb342e3f0e520107a546af5124ff2eb6050c8c02544c7eba20d1c7",
+    hash: "435978c98017e6ef431997b28d4b11dc959b8aa87bc8481503f0822168fdcab4",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "454fc0c258feab92543a3d7a9ba6243b8a69b9bcbc10da5f59866ada5a0bc4ab",
+    hash: "19a6dd70a32f3fb832c52bc36c7d0ab4ab9bb5a464fdb75e4013c7f79ef2306a",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "82ae922daa8d0f5aa287062e5532563e9b17a584aac0574939346c0e0c83dec4",
+    hash: "829cd7036d9314e735a9be437e3a532fec75420be85062ee81efd648153b2d06",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,7 +249,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "b4a3a9dac90a371b892b07aca15224ac47159ec10ee7bb06b5a2f018de126bce",
+    hash: "0924fb9405905b0fd42fa48f2f3717201a2d69ecc74d64058c3bbd4287890558",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -262,7 +262,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "7dfe514f46e950ee3ef0b94b27e6a6b4b450e4c4079ff24762853b69ff068ffc",
+    hash: "d31449eed333891a9723c94059cd72e88154dd3caa772a5e590c153e97e96a78",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -275,7 +275,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "65e03138f75bc2d34345b937990bddb12a67d0b19deebee29764ce03d5a7f6e0",
+    hash: "3546a87838714f9b5ef50f45569e8ba6e05088c25fb279e342d8f1f0d2e410fb",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -288,5 +288,5 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "15a69543503a0914d94acc5cd4a54baef030a1e409a6b1d9bd5710a2440adb98",
+    hash: "e62197e082a16a947da4e25fc14a9de9ce5abf0c948f78a72a3f01452482a084",
 };

@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fda8508826728abe2f8aeeab34d88cc92c025db793c9722f5f9f7e2f34482eab",
+    hash: "43261472924b37ccc1c647282ee453e437aa6b504b253f6e282ce926473b32b7",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ae0384f513a429e192806c690e65e1cbc4917ac537004ff12ab29174af222cf4",
+    hash: "dd9ef632814731c102b3df6e7706bea8e331b798e38b2a3f63295d1c52f91dec",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "715605b64cccbef3591724e513bbaa8b820f9d58c3da65e10ef6a4d20756f667",
+    hash: "1c9880f4322723c2106cd957bc10ebe9e4613fd1bcc54c92ebeb60c753cc69b5",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c8ca1dc846da49f85aeacf55d5c0a8743dbac8844ef9f6bc34a5bb49029eedb3",
+    hash: "165771d82662ad947f979f3f459b93624db8da93f1e6e976eddd776ecfe70731",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cf9ccfbb497fadbfe61b2d415d60b30322de29b0baf81660c6ba22b2857fa08c",
+    hash: "80f18585fd2098e48ff2a8aa7fa79b9cb222bd4dd32f1db8bb1ca3f3b28d6239",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b2442da6410c011a23489f6bee461750086bf57ab9d5a6a5252e6d7f49163d53",
+    hash: "38135d50c5ebbb0bfc24be524641d6173f67838e178f45ef59144a0c10472727",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c915ba61961b430a6d2f62133feece5d0707429df141d9afc6fee7abb12accbc",
+    hash: "b4cc8c6278bbdb192a55d2a512064f7bc1a5083cd48d120ec309d5c2d97fc7aa",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "604109eaf3470ecd601ec5094e00e963ed9d050e2b71a87fbdd536f9712b1e9e",
+    hash: "66fe6c1e0bfb20f7c1ae5269d9397e30676a40b71685895ba551fb6012bb6a86",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "09baf4f7835297428c3c4a3289e9971567a9d432d8b54724bef49d1a7945f42b",
+    hash: "52ff86a44c385ba8f9afb3142b8d0f73c5326e1d92fff68ee47a837e63b2ca22",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7f3afb2c7ca0c18cc568f3a0530fd66d481659db72f4f87e1d156a8693a84da7",
+    hash: "42c7c6d2c42ed8f57b3da4ad566af67b4ec10d8d479675deeb3a64800f1424c6",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cd6471532c167cd5f809291663d183afaa3ccf88d1c6d1ee5bd95919a7c0fa31",
+    hash: "0ea37ae68a6b3b7aace5912e7b7de1b5258cc17a6164fb0c9e7d93db66318031",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "880e4ee0ad130f3b7debef1a162396d81de25ff36785bdcdbe05d1ba02bc46e4",
+    hash: "2a148c56335b105ab019af0c20294c36df58fc753a946530ff9f4b0720a77965",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7b3403e8d5bc972cf3963d301a3ac3cca22b0b9213826f31e3685dcdd629230c",
+    hash: "ed965dfa808e8b65f2fa5158979ab25fca71c0c3b4a941221db9b9fc82b756dd",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "022bec47dfebfa6e46cfd68cd491a11a6dc77835a9702bc1903c364294478f28",
+    hash: "5a2e9574da36eca388382be50d07a768a81c8800c4d331e4a58e9c2c369894fc",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c26becb580f819d367686b10ae6090704f1306b87263a85624a3843fafc76cc5",
+    hash: "7d9d74640f782b8802f4f6a13a53c4357337afa86d7e5745367fe56436097a06",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "75560b804f60b27b95098877fcd48a1d1fc3c53750a940a6da9540d913b250ca",
+    hash: "4e0e10687e389161f6fa183d23cb3eb092ae25d8bbb0108f9a5aee408d9271d3",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1f3d53d27b8c67d645cbe605646dfb685fe1ceb983ec863a40e06f994af08fc2",
+    hash: "4dc4a01d057c447546ef848459235b7f20102c00f77993a413bcf401e26c4868",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8ddad30bdf2186e1d2cd3e2c0c76b6a2acf10d9114334472219222ae381b7453",
+    hash: "82ecd024ef1ca7fdd77366fb367d0e793df9e1c9457208a9d067e442c3c6a7af",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7db3595283a93f400306c21daf1a9a95e6c3b03d83162953ecdd525101408268",
+    hash: "4a4f92216c9db85fd3d268c01e7a96a7efaf247ebc6297c13de4a23233522a91",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "69600014ec769aeac9a8de29d9cceada7fbcc612b1ca749740095df77d60e87c",
+    hash: "eac92b85add5cf18c6b539a3f98e89e868ac1501050279ca693829e8f18c8d4f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c1112dc55efb1b7e06811822328528193161105efb6c9c0d6d9d4c2b7fb24b9b",
+    hash: "a46fc22e51ad99f374b0cf32414b38b15335065b106c57c8faa3b27caf3356aa",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d631363a4b24f719c145221f7f2b14fb615ae4891a831071f30e7cdff1ea32ed",
+    hash: "c5f1422d46576a66a0c3e3a1533474766bae6b121c3fb2ed582752edf292a388",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "37021a01ed43672089971238e3d37f41f86d9994029bebc2cb8358b54ddbb93d",
+    hash: "7b963dfc211b38fb1256f3410e3483cfd4ae4c81e59ef560b08f240e1cbc0fa4",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e7c8025aa6c73e28cbcb74bb832976fc574e6d56826383233c230e6dfe56e2eb",
+    hash: "a753d1cdb82154df9b39966a634efa10ab4f587f3318e3ba1b8852266ee21c92",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "25a912482822aa86432fcce33a7af2efa9f62c6683c8d4d88fffe472f0f20bfe",
+    hash: "8b1204810f14df62bc1695358b9b174375cca553a43714fd04c0c7f1ca15766e",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cef80c11bda820276bb7dbfbfcd175fd07c8cccf6c76fc2eb110337d00044940",
+    hash: "c0b40f105ea092c593b83a569d38b603038de615b11af2087e5bd76233bee294",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f9cfe53e6e2a91a0594bc026b5068309c7cf06fc110d985fad57e921953d797c",
+    hash: "ffd69742e3ab78099d37adbe3280e20cb2f03a7068fe2d8acf4fde6c7464468c",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e0e082e9c6aeb70c3e869ba58886e6fb6ca92bd8490061b4275aa1f28a5a9c29",
+    hash: "a1f91e4e8471f5e441cc254b6e80f2fbec6f89713b8fc57813f945d6c3270542",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "66bfb421f564fe54de83dc96b445fd40078fa2202f3b7a544efc45b36d62a1af",
+    hash: "3930ee31416e5a6c802bed097ff9046e5a18d167c954bd66ce640b8fbd43a873",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "459fa59c4ccbd5c96a5d376e323240f3d48edf41bea6a162ff6d2e59d9a16e25",
+    hash: "62b3ddcd8431e11bea284152fb697f7472aa0eeda3805d7b1dcf16dce0ac68ff",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "196b8339a1702921eb0d4bf35f696a52ae61673e1b7e21a69df191bf2ad043f9",
+    hash: "f1162889406d38d61d0b859493b296bb4b2651a14f989ecc16bab807d1509b74",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b386621a87d0d1611905069dda6b57d1b896772efa16699c55222ab9364422d2",
+    hash: "e67925a079ce40e25a7ea2aba3071f217ccfaf2c511c599bc22b3e7e88a78adc",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "270494cecc6976bbb47797c6885c961ea1812246458cd0406112c8a99dfea185",
+    hash: "2ef48a084dd64df083847e7c257602cf2cdf101ee9b247d2a77bed71a6e2498a",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "75c2515ae91b9aa4f686322d2d3d782ade91ce68383aa46083c29897e72cad75",
+    hash: "9dfcfa2588a05b2b62a7c9eb3c370295a4a7a92688e98178cf24518e022a826e",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fef4c679a545d271eef00a8387b5417892a01e7fe99ea20c75e2dfb743efd103",
+    hash: "a1f14792e034a0a8c71d973a626665d332eb87fc559182a98fcf8c8f3d088ab9",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "617b7fd10b506fe0277df598a7b89e6e3837f7fe45e4493cb6797ffc57fed440",
+    hash: "031446fb85478ba051d9a165399b4b985992a6ed046adb3e41ab3dc0b5b61231",
 };

@@ -168,7 +168,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
@@ -197,7 +197,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
@@ -231,7 +231,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 6,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
@@ -266,7 +266,7 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 6,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
@@ -281,232 +281,232 @@ static CORRECT_POSITIONS: Module = Module {
     name: "CorrectPositions",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14964 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15176 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e0f93bd415065456b4a1d61883782d510823b298e2b5ef6cd4079d83fd6f3f19",
+    hash: "f590b50beccbde671204984ec11ed79f5b29e486f22a4712f003dfdfb7d62dce",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14964, bytes: 14440 },
+    spirv: Spirv::Packed { pack: PACK, first: 15176, bytes: 14652 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fa66766ff4ee2860c706d3b3722d613329bb7aa2da7c207d739c87939d6a7bba",
+    hash: "dc87d425759ac4afe78c371c1f86a0a0cb170288666c3e92409ea253b46b199e",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29404, bytes: 14528 },
+    spirv: Spirv::Packed { pack: PACK, first: 29828, bytes: 14740 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d3ca7ea23b0920bc511c5364a61453961b4205efe7cca3b4a941334d71190ba8",
+    hash: "106aabb247869450463ca89b012a3d7a858e8ca6be8437d0c7ce8f7765639ddf",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 43932, bytes: 15960 },
+    spirv: Spirv::Packed { pack: PACK, first: 44568, bytes: 16172 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "46c63b535d313728d47467527611552201f671fbbcff0a6310a4d0747e362818",
+    hash: "8f3bd75a728818ef2e500ce86c9f29da7108f3ecae848c7185b364a855804673",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 59892, bytes: 15628 },
+    spirv: Spirv::Packed { pack: PACK, first: 60740, bytes: 15840 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c0be8d2ed27581c4ac5aff96885e3dffdd6026f19589f0329c688820c1c6bab0",
+    hash: "d869c8f4e7d495bcb8ad4f34f47952ded4b1cbba0c298d70c625fcb610111328",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75520, bytes: 15736 },
+    spirv: Spirv::Packed { pack: PACK, first: 76580, bytes: 15948 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "27b7ba0b50370b6be050cc865131e23eaa64f33f9801c378f8fae2016070fd4b",
+    hash: "c57576181fe201aeefad9f7623a3a59f8c59caa32805fb9aed181e17cd7f8031",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     name: "CorrectPositions+WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 91256, bytes: 17256 },
+    spirv: Spirv::Packed { pack: PACK, first: 92528, bytes: 17468 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "258fb0566da159c68922fc8a9931231feb5fc51f9f738d0400fbf4fa504df646",
+    hash: "397337cf5be1c1967eadddb4174adb34bbc1bc980e454338ad2fac972aa9889a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 108512, bytes: 16732 },
+    spirv: Spirv::Packed { pack: PACK, first: 109996, bytes: 16944 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0864724df0e62d602a48e32f44abc938b1da9dad7cb0724a1d8877501e5b8903",
+    hash: "cf892ceeb670206a98ef924c5aa0c58668235f437eee138fb21d282209ccfdb3",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 125244, bytes: 16820 },
+    spirv: Spirv::Packed { pack: PACK, first: 126940, bytes: 17032 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9ad3f9ce3b4f9aa0043583d50dca09c99f808963c53b325b0b00b3b31d4d4537",
+    hash: "b83725dd9116ef66d834a3f4760f1f0049a448bd83e92ca0da36865b662532db",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 142064, bytes: 18236 },
+    spirv: Spirv::Packed { pack: PACK, first: 143972, bytes: 18448 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "93cf1fac0ffef58ed1542a16b9ea2c390e6c5273c38b59b81496d17707830a80",
+    hash: "24ce398b78c8dbadc5d3455b9441cc5a01ae0c8997930895721a4fd72f7fae23",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 160300, bytes: 17904 },
+    spirv: Spirv::Packed { pack: PACK, first: 162420, bytes: 18116 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fcc7a8877ae9c2f547c3c20538e9d2d1b6202336b23e002edef2dfb1cac77ae7",
+    hash: "379f31c0b949d8d8c323bd146062dc23daa96b6b100fc3d12240e57d823b80a6",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 178204, bytes: 18028 },
+    spirv: Spirv::Packed { pack: PACK, first: 180536, bytes: 18240 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dbc0816ec0a6b7673f3e18ffe1e4e8ead694f586685b8b20201d575e7309afb0",
+    hash: "fa782db54bcc1eb88a1ffe543691f61a4284b012d96941e6201bd48f8de89dc6",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "CorrectPositions+SOLID_WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 196232, bytes: 21204 },
+    spirv: Spirv::Packed { pack: PACK, first: 198776, bytes: 21416 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7cb0bc3f97831691ed1f789f72e40dd77bd9c6346e1a1fa72d98499bf094163a",
+    hash: "f2a20ac63d7f4ead6dd39de7a66fb2da2d4db0032daaf4766ff262fe6eec9510",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 217436, bytes: 20680 },
+    spirv: Spirv::Packed { pack: PACK, first: 220192, bytes: 20892 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1bf1baad9a728fa33460d54349def1fed3b0e3e78425fdcba9df104d6b585c35",
+    hash: "fd67e6a3fc1ef0e0b0dd680ae14d12903a1071c788390cb7c77c0c2bafaba25e",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 238116, bytes: 20768 },
+    spirv: Spirv::Packed { pack: PACK, first: 241084, bytes: 20980 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d7dfd3c8efc3329a8f6a01bedd564ee4e46d68705d1b41a1866dada0d6ab2224",
+    hash: "52eaca03889aef83ff6193ac477f79368f7dd13a456dbf20a5339c2909834142",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 258884, bytes: 22184 },
+    spirv: Spirv::Packed { pack: PACK, first: 262064, bytes: 22396 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "55d65750424efb7b4bf7073938d93869dbd427b4f7010d3ca0cdb5fe88f802b4",
+    hash: "3d2c9d289984f345f2a50a609d06ca384e706d70731cc527245bac5db968b0cd",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 281068, bytes: 21852 },
+    spirv: Spirv::Packed { pack: PACK, first: 284460, bytes: 22064 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7d61ab8bac41c57f17338dcd051d52f87761562f69b3f2b44f4f03a58854de03",
+    hash: "095d93e659f56394d6c1f925102a360cd1d4ffed4847e0b78c674d42f79becc5",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 302920, bytes: 21976 },
+    spirv: Spirv::Packed { pack: PACK, first: 306524, bytes: 22188 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b8aa4afe9d02fedc15bf19a895b7ca1c9927e1353452178170307df43e3a7586",
+    hash: "2cb038c09d3295c70e8904f689ed0a702fee76ed005d62f130a25583a219385c",
 };

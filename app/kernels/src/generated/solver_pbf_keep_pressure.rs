@@ -136,7 +136,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "3eb57a96129d818b8ab9df845171353b677b946b65aee626c615b9bca140caa6",
+    hash: "d7bc382b662eb0fd6983e9b233ed1f9c7604af56f0afb619d06e99215992c957",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -149,5 +149,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "88a9bda0a0e524d0e0ab8f93a9642bf1dc1be379b75c8ddd0a9a4186d6c82340",
+    hash: "87d040382f2291127e4ec46ca180dab7df8e87f5d528529139c5eb33d2f83434",
 };

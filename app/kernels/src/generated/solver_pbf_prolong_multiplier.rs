@@ -117,7 +117,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "a4506ba47df54d3fdd23be6ca9fed1a0da2d7b55d57f4180e66ef2186bdf2b9f",
+    hash: "290a617a29604f2d3290e1c21a1ea9c5fec80a404017fb6daf413a521d5cae21",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -130,5 +130,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "3a337cff3213c64c3e641907ec5a5f110f6e7f6027995045ce73bb536734c99f",
+    hash: "8ce84553c8ea72ed0d6f00f08eb70a277ecc4ffba33ee9b9d2ee9eb97d4371c4",
 };

@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "46d416353c2e76573aac30882a9f84493d15c9d402ea2354ea5a58a3dfbe6ab9",
+    hash: "b9086c6548c4a8d03f4a19fa652924731866e3a0a7d0a008ec63889e070d6858",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "c7e16bbbd4f6dde2bbab43f567ba82ab9b457e7d9f552fd3f0eaad1e6b9ca220",
+    hash: "3224f1109e4751770e6f183511492bb906625d17d4dd6b2cddd4f028008422f9",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "13e9fc626b6b40766fc6ffc521ffd9af307d7a03dc239d41799e71fa13849779",
+    hash: "0475240b936ddb3b5c291db490c8adbe54c7cc69af420bf9c93aabca7e6ec34f",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "fa3a9cf916f8c9e34e729dcc67bdf64cff80119660d271d687e9ba38234d6683",
+    hash: "c4fb32aee042edc6de42f32840cea69ed155251af7bc303d2c26918f1ee84e47",
 };

@@ -165,7 +165,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
@@ -226,7 +226,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
@@ -270,154 +270,154 @@ static UPDATE_VELOCITY: Module = Module {
     name: "UpdateVelocity",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7184 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7396 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "37e641cf81eadd83bc6027c55f1da648347d06c600823bb4fcdef1a3131f7dc7",
+    hash: "dda9ed81731bd8e7e62f4787e0e445b75b1fe96fa975a3a1f1b8a5517e24dee0",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 7184, bytes: 5064 },
+    spirv: Spirv::Packed { pack: PACK, first: 7396, bytes: 5064 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "7d056253f3183a8497ad8f4caceae853d606b6e1e54561a3d8c4afe26ee68802",
+    hash: "18c90d0414b4ed6b2835cc0fbcc043c13ea2fae7ada99bddd0fa7c0ceb0bb638",
 };
 
 static UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 12248, bytes: 6968 },
+    spirv: Spirv::Packed { pack: PACK, first: 12460, bytes: 7180 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ef093e56e3e8366d36f0d74ed566f0b61e898eb58a2518c187d725cfe9adfdf6",
+    hash: "ec573edd57350461214229759a73ae2f0fcec34e6f245c8440928912a9576c1d",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 19216, bytes: 8168 },
+    spirv: Spirv::Packed { pack: PACK, first: 19640, bytes: 8380 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "397da0f264c252759f664f9ad6490c5c89e01f55edc0f5d25735a65f49aca340",
+    hash: "fcd0ef58ef9a7c60a11b88e99dc91903613b977f0c03a840ec10c3673d002676",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 27384, bytes: 6788 },
+    spirv: Spirv::Packed { pack: PACK, first: 28020, bytes: 6788 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c2551e2befa618c28606946c6844628c1753cf95871436bfd1153c3099eed9c7",
+    hash: "961db514b31272e65f71382364bd936026a2f402bf2781de026582be24f1b868",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 34172, bytes: 7952 },
+    spirv: Spirv::Packed { pack: PACK, first: 34808, bytes: 8164 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "d57b9f5e3318b00580a7e7ff1ef0bfea3fab9f1d495820d1df94ff7689ff4257",
+    hash: "2fa2fd763429ed380ce722eb3628ac270c46856020f94be8aa730e9a6db92f5f",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 42124, bytes: 6956 },
+    spirv: Spirv::Packed { pack: PACK, first: 42972, bytes: 7168 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "382db11f5444f2243a0d085108063ec9ab1724589673a5c816ceb4225b0e8797",
+    hash: "67bec63c290af6390f16e9a6d53a3d47b4b7267717f3f6d0d9ad29741a0b319f",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 49080, bytes: 4836 },
+    spirv: Spirv::Packed { pack: PACK, first: 50140, bytes: 4836 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ea6b29cd094edb9cd88ee49d2fdf5f05fb69c104cc5b63b850de5f08644e5848",
+    hash: "123783b3cf011c62ee0207d66065b9b17590dde8f106a4dc0e3b48324115ce1c",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 53916, bytes: 6740 },
+    spirv: Spirv::Packed { pack: PACK, first: 54976, bytes: 6952 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c08e561a0598e9022b494708142742dc7f2ec6af7dcabfe2a5405ebc11569644",
+    hash: "345c2e0b44850ae1fa69273a4463fe4eb99ab8ffa0ca1bd052b3605f1cd371c3",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 60656, bytes: 7956 },
+    spirv: Spirv::Packed { pack: PACK, first: 61928, bytes: 8168 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ec81d1ca99168ab3f76bcd116e0a4b86b83d5d61519545ca78c9161f41bab770",
+    hash: "b5155fd14de084e6d28dcae7c6003c6e5542368138c1895877a23010703a902a",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 68612, bytes: 6576 },
+    spirv: Spirv::Packed { pack: PACK, first: 70096, bytes: 6576 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "ff2baa61f0f5466a48c4ebfeef55eb4762cb342793c6dc978b99fa6fee14271b",
+    hash: "ce48f777f560c9e62a2763b09bd6cdebd755451cfd38208753500fe06b99b796",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75188, bytes: 7740 },
+    spirv: Spirv::Packed { pack: PACK, first: 76672, bytes: 7952 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c14ed464241f69c725b9ad3102a31b0de0e4a1d9555ecc389da38f07140cfa58",
+    hash: "805801428006a71bd07a2d6ade64fadc2eebc61fc54e1f0072d7f3bd179f0865",
 };

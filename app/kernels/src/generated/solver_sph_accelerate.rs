@@ -264,7 +264,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "64c688db4f3a704bf70830a36be6a17437389cc0c49b08cd4407f0d1e8a5e9a3",
+    hash: "b6dd6dec0b79b836449dc15a9aba8aac66b355911ef86fa8c8e2952d0ce79aa1",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +277,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3de20b378acc138f9fa99caa8197f6e747c19fbb9632d51b43b4a0bce21bad0e",
+    hash: "52f4b3d0ef188126928bf381c125d13b5ece5e81ab32ebfc19f56aaeb85b97b7",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "f37822d4a44795af484db8a9a9e10b1239e9c089ede70a6e8c67a3991b8b3434",
+    hash: "1af2f07d8e80deabe038c58d4074054fe6d0357e20cf74638b9a82aebf2adfa9",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +303,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d9b469c0540cd0f2b3cb4ecefe54287e8b9ba67dc83f6b3d6e484abd8e866187",
+    hash: "ea0e986073ed1519bd271c1550077a7f8af80b49f68c3aa832d4c6bc32f9f4e6",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +316,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "99b034791fe0f11a2a427cbb8af671d75eaca064919e91d8f624f7de0a403e87",
+    hash: "e557baf86a5ae824e52e250aeb59fc80f8b822382aa1e7cab2b2043f1cb60a20",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +329,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "5173a05a74945cf892b4b8e0704eca12e47d1f9c1cdd5fb45f156c6f73ef9087",
+    hash: "05e90d3ba3ff6d604ae65d5784692782c27d6a355d35fb66fb1aa19d1ebce1ef",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +342,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b94624c3f0cb1b4145f29c8671a855a697d90fb2fa257b6aa59de73a5ba21b7c",
+    hash: "607f44e4f2ce536d49646848c204ae627ed960c6a2a01e3590b4517cd7104d3a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +355,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "78d32798bfa61517b1161c7e530305db65a629b801d3dcf774111daae437600a",
+    hash: "15d5585cdbc00af9466f6da3c398ab5498f6be07a1fda69e70dc4d0a8de5e866",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7d41b73c048ab26e6ed5e372b543de889253c2cbfe9602f0c509d7a61ca8439a",
+    hash: "30ef1b20ff4567b2c47998351583b5866f5920032b8d2160d50b927c1d93b847",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +381,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "503df652200f5781552b4050486658865d3f5ee6312e4cf75b4f754d3a83d88b",
+    hash: "594ce5edff6a6ae760b7042f54e2895c101322df4dddf6e7b48fecb846e0266a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +394,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "08287333f5d053b6a48ed97da7a3f98d621aab2698adbd4ca62b7192b02ce3d2",
+    hash: "2dae1f68b5fc34d629b15d84053d4d0c8ad9c2d5fca74b849263468961a0d67b",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,7 +407,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e75774de50cb8eddeaf5810e05c03fc042d0805cf6e0a708700ddd4a06fc43c0",
+    hash: "6af9ba3281e1b7714b6857c4cb44dcb0964f4fd57b3e1cdb81868ed0d4fb86af",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -420,7 +420,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4770beedec107e93a082df6c35f4c8779867f63de827b13729baacf1b257bef5",
+    hash: "d49848168472e41bc517212606ab994ae594cf871a68859282bc8ba49835dd3c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -433,7 +433,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "57b1d0193a66c99d0e4621085a105151ce442f519956992ff56094f2e616bff7",
+    hash: "8bd8ae4f84c5d77ddf50774b206a91edcffc95503af3d6c871cf7a7dca252857",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "eca9905a161faffb520a5d9b90c2856b1bbcac2329692cdb8ce3113fb4bbc0b5",
+    hash: "292901edb7cf355901fde72950a4b1aca89a91d02e487eba9d393b3fceecac47",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -459,7 +459,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a03ed65c19c969f95509534517f460c9573ad4f6420b60e928692f583fc8e55b",
+    hash: "7be22167be517ddf98ff7a99af74e79462c4a4331201417d7b084e4c52f194ca",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -472,7 +472,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "86bf39efea29fc794fc7c0a24508d8a007441cd34d2e353de37a77d93795c24f",
+    hash: "ef49bc09c359ea0db607d21c97c5aadb24ee2e8d50b1827af5a0e031254047a0",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -485,7 +485,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "8bae7aa02865a9fc928772e4d00cd17f8baad156f88cfd80e526c7bb195715a9",
+    hash: "5ca86be7c37c9aac2a8926f93be4b950d308c668f6fc79109ee12f0ee7d7f038",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -498,7 +498,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fcac85c0bc846bea939cd4f12dcb780ccd82b36b2552eb255bb129485dfc88cc",
+    hash: "b77db8ee08fe847da9cf8e67fdc637cc28ac70fde0adc6d97e9f38099a50e881",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "1d51f595f7534afb5c7ec5305819b6ba026e495cc140f774bddec2f708bb8489",
+    hash: "cedc7243284431103fdb7285ba5dc85c2cfbca473b98650bae90e49fd7bd5729",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2928aeab60cf52f9ce8d228d972f191413c58146183a86a894c54be9f921b118",
+    hash: "92a16f3555ecc54c92db9a8f6b40a583e76ca2bed34210ca87ffdf3a62fe562d",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -537,7 +537,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "569ec0d9b956b098c2ca72da74069eb0b1b977fcd893ae9b86ebd7cb4a52a908",
+    hash: "05ffc1178b55b5a4dc22bdbb94f15da47d49c165794f994739281ea6f90c25b8",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9b01b63bcc8b4d2cd2f292f8b9b301eca3c8313f423a272616a497d0f44bbb12",
+    hash: "2e02e5db38fb341d57cd649e1635b60d073f638abd1ae80beaa29b759f9b949a",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -563,5 +563,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f740fdc6e870a9b17eb0cc1f7305d9dca5e4b953387c53ba8bd84ef3c9f5f397",
+    hash: "32b80213fb87c59be272873f47e11f566188a26473fcae6815b1f113fa37f028",
 };

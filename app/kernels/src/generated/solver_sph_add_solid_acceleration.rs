@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "e1008fe8da41fc45a1544f40f75e2f3fb3d956a16e85721a2fd51087ed2cfc50",
+    hash: "a5d69f6555620b75547609fa6e3343315c9b1478c4e431ba149e8db94f8141b2",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "886677fb653cdac560c9dfe7264a1c4cb75b775bde734e6a62a8063ee1051276",
+    hash: "1d35bbcaa7744d3d920dfa7921f9baccbc628a9a6cd559aed4238fcb513018d0",
 };

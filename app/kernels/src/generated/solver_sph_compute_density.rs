@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1c53b21959d8f405d357ddeab5ef4633450b43788cba4ddbb56631a7ff66cd34",
+    hash: "3e5035cb99b5d4f589f96ab52627f8f218202212c60967515085ce6fdb29bebd",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5e1cde44373531c6e56da402671af11f100b86c21bf7b30dbf0c106846006bca",
+    hash: "989206f2b1c9532c699d03ed140c74719dcaf17a87311912b106e43a8eea863d",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "fea668e8c932ad56f74a1449d2ff5fa31e857003d74e2a7a1c3d4006a6b59fad",
+    hash: "065803523f99c6c180d6460f77e447ecbf0ec9aee072cfb60927cff3524a3f44",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6a936852580819ddadc0ec565eb653e8a8b5933fb602802f2faa0a30df578ec1",
+    hash: "1b3a06558998ea2efcedcea415da7cc2a2285b01d13a829f87ab1962d457aba6",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "33d6bf42137d45ff318c8d3b1f8b4ab1c007fecac199c96f9c3c45fb20d8aaa3",
+    hash: "1ab9f49a35e3455d92dfb3664a24e1f96891ada8588cc24934a2233de6310e6d",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "48f8dd38b7cddd6ea35f4652619f5e076fca63bef1a0349c5c735fd6897d3c64",
+    hash: "8265890e41c0e7afe5b2b07e8169b629fd5aafebc79615a335206fa6c99797c1",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4feac5cde2d11915333bf9604b9d504b38a401382a80377496ab175ecbd8d0d0",
+    hash: "1e51074d86ebe729a4ed76db9db71299262736243576af98fcce413c490773f1",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "31a01a1b517e5a3ecc8bb341b1b6f8b2fe922c94a971c242094124ab3c830de8",
+    hash: "03da14c381a6bc44f85b8761d44f7d19f2f288a2887153e3678b598708bc0ce9",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c21e7fd7091a073eed48660530ec3bcfd4751cf791a052e2671634d3459c969f",
+    hash: "7c621928630eb15fa382703835da88199d497ee87651839b489db439fd63638e",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b4e68d661984edd5111e1744a77cc9457f7c76ca011a11c02458bad434aa5dd5",
+    hash: "51a5e6219b63450ed9528d5ef243f45db1b7849680cc6b4037a6aa1c5971e53b",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1796f0bfb23f052fa7d549e4d70347d8a47a36d462a9def6b15f82fb9b10beee",
+    hash: "5745a9c724ce49dca543a7d6e9a4b1ad93f557b565c7415a5d28247596190485",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "75850d1c704e704c9e1949782fff798610400550159c9f5d6627d5f5c308ae44",
+    hash: "04630298c301754ba310408a6f36bbcdfbebc00fd96eca2e34358f1c744b1556",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d4e65fdb2ec17bfb30ea8f88787cac4cf3597db5c01fe868f280c97ab658a5f8",
+    hash: "57898ee235c0b92d346a3da91f5bd4488d1c0668bbee5ec4161e9468463bf0c8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fa467fbab1b9a6d260f10c48f3489abb69b63e52566c13fdc888dd2a549f2575",
+    hash: "7612680a855636c4cf99a6d7bdb13af785e4a4fd5b73e0103cc2b6434a4d75a9",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "64d1272a8e091d68b0a837b4c76d1ebc4408d436e0f0b4b28456ee1709bee4dd",
+    hash: "598b57046c6eb33d992d4b3f2726cc73ab283300bd0c697ab0a45ae9367b71ae",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d165ff800bc6dadc431d64bd493e35d9ba6168e50c93c0f91206db0b4e4208c8",
+    hash: "0dd870ab12458e493a11218b2ae8a0c9ae1657392c753e973278ccafb22fd935",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "022cb7cc75d3d8461676f1b93fb94d08baff23ca58903194b0ac9a6dde9cec34",
+    hash: "8fe32c3f61dcc87a42e5ad0b74374a0e9c4aba10dd68595daa6f416b55ba7af4",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "a80cf1b9b8af0ae8891e0b21c1ed9aad30b45b5b29e2d5757c8e5d049584f406",
+    hash: "43222cff039fe474273c87508edf2fd7241bbb148add0717b0372bb924fd9c2c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a86c5b88ca9b3460e0cf847b8176604209340908715e16ef1bacfe99a58bb7f7",
+    hash: "5fae687a630bd776d392c590793d9ae1a7f357d1bc439cc37fc641f7691f7ab7",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "474551de620c81728bc5adec7ffe00d1ec0ed060a3d3f29c9b98f9c1cb85ba57",
+    hash: "2e47ff4a9088671b105b50d666f7ef7db0a9409e27d3267cba4d0ffc1b31f9a0",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fccf0cffe9e72cf27cf7a84398a3e4adff9801f1e4c6f537b674ddc085795811",
+    hash: "2c289b7e25ef47d419913acfa4e6c7370ecccc9ee81b700398b595b217473bd8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "03402d938a15a4a014930f67c4151770e3e2a9e3dace8a5dde45ad2c2fd87637",
+    hash: "55c65ed5b5dec585e5c805ff25c1755dfb779eea241e5372bcb56ce4d8f752cd",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b0190582181ad878eebff83ed1da9e41d896cc38ec1580a2883a357ad7b2a5a4",
+    hash: "7ee980a6cfa164c6967909f3d9958bfa1be31dec751b9e9046190dbde8f2a0fa",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c71608d0d1495fc4840f5a32a87d1a7a981fec87551dab4a0dfb1875371ba688",
+    hash: "7f9cfff7b2c8ce782273408300ccef064cc633e62b781827a9ec6e692a9078af",
 };
