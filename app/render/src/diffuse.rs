@@ -29,7 +29,7 @@ impl DiffuseLook {
     pub fn for_scene(scene: &Scene) -> Option<Self> {
         let diffuse = scene.diffuse_particles()?;
         let spacing_m = scene.fitted_spacing_m();
-        Some(Self { radius_m: 0.22 * spacing_m, opacity: 0.9, spacing_m, fade_s: 0.35 * diffuse.lifetime_s })
+        Some(Self { radius_m: 0.14 * spacing_m, opacity: 1.1, spacing_m, fade_s: 0.35 * diffuse.lifetime_s })
     }
 
     /// What the shaders are told.

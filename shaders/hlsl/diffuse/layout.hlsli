@@ -49,7 +49,7 @@ struct DiffuseParams
     float inverse_neighbours;           // over the neighbours of one with fluid all around
     float inverse_weight;               // over the sum of their weights 1 - r/h
     float inverse_normal;               // over the length of a flat surface's normal
-    float spread_m;                     // radius of the cylinder in which a fluid particle spawns them
+    float spread_m;                     // radius of the cylinder in which a fluid particle spawns them: what it keeps from walls
     uint substeps;                      // that a pass stands for
     float along_z;                      // 1; 0 in two dimensions
     float reserved0;

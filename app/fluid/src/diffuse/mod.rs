@@ -75,16 +75,12 @@ pub fn diffuse_params(scene: &Scene, diffuse: &DiffuseSettings) -> DiffuseParams
         inverse_neighbours: (1.0 / neighbours) as f32,
         inverse_weight: (1.0 / weight) as f32,
         inverse_normal: (1.0 / scene.flat_normal()) as f32,
-        spread_m: (SPREAD * scene.fitted_spacing_m()) as f32,
+        spread_m: scene.wall_offset_m() as f32,
         substeps: if scene.adapts_substeps() { 1 } else { scene.substeps() },
         along_z: if scene.domain.is_flat() { 0.0 } else { 1.0 },
         ..DiffuseParams::default()
     }
 }
-
-/// Radius of the cylinder in which a fluid particle spawns, in spacings: those of neighbours meet, so that nothing shows where
-/// each stood.
-const SPREAD: f64 = 0.75;
 
 impl Diffuse {
     /// None of a scene without.

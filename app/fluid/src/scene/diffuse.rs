@@ -47,8 +47,8 @@ impl Default for DiffuseSettings {
     fn default() -> Self {
         Self {
             max_particles: 200_000,
-            trapped_air_per_s: 200.0,
-            wave_crest_per_s: 200.0,
+            trapped_air_per_s: 300.0,
+            wave_crest_per_s: 300.0,
             lifetime_s: 2.0,
             buoyancy: 2.0,
             drag: 0.8,

@@ -120,7 +120,7 @@ static ADVECT_DIFFUSE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "f09cd0849125e353988444cb46d88d7540d9739e2deb356ed52bafcd0f7331b4",
+    hash: "e6b3848fc632ba7dddf411954a812fe2dee250feda7bb57552fd305bb2c0b5b1",
 };
 
 static ADVECT_DIFFUSE_WITH_CELL_BY_CELL: Module = Module {
@@ -133,7 +133,7 @@ static ADVECT_DIFFUSE_WITH_CELL_BY_CELL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "5270fe86f67cd900cd9d48f6a89575e103bdfb91429672f27fd5c16125697f68",
+    hash: "5e2faee6dce470afe7944203fd77cc8d7a3a11fe68b3f92269f2ebbcca334021",
 };
 
 static ADVECT_DIFFUSE_WITH_WALLS: Module = Module {
@@ -146,7 +146,7 @@ static ADVECT_DIFFUSE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "31a0bf113e1dd0fa399661275b5147e40e8d4c1305deb40ab580682fc5f01b4f",
+    hash: "5691d5b7a5bce23d66b91fb7f2c909a694efcebe97661172e4f50444f7e1f5b5",
 };
 
 static ADVECT_DIFFUSE_WITH_WALLS_WITH_CELL_BY_CELL: Module = Module {
@@ -159,5 +159,5 @@ static ADVECT_DIFFUSE_WITH_WALLS_WITH_CELL_BY_CELL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "9efe5418ed00286eec4ef7c97ec055c379fe30ea94ed35f8f7460c8adf049e23",
+    hash: "b97f7690764879c3f9f68fa8c0a44ecf6cac8b6b1341b89ceba3fe0b76a9d928",
 };

@@ -107,5 +107,5 @@ static COLLIDE_DIFFUSE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/collide_diffuse.compute",
-    hash: "a9f47a0d4f266f37aca5e6e6778c75f66bd03dc8fd70cece7e61f3d305a78f03",
+    hash: "f613fac025fe781ac431e1ef55520e3e6e602e202c120139672834638b87d0fa",
 };

@@ -103,5 +103,5 @@ static COUNT_SPAWNED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/count_spawned.compute",
-    hash: "cbfb742f99af83cd372120f73efc0f008190672d97d7932b33e36558068a2487",
+    hash: "b959660ba6a7f2288f158e44a4efcf70e799dbb6ca92f984afc7f458f2918d40",
 };

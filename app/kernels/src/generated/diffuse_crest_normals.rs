@@ -87,5 +87,5 @@ static CREST_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/crest_normals.compute",
-    hash: "0c23b3939b34762bfb0053b640855a884401eda33643889d0e7eae27817ca631",
+    hash: "ade01803eaaec2d52667d81ae37de75c26b7df5e2e1392739bf420ffc6628d83",
 };

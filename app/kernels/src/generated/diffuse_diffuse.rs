@@ -92,7 +92,7 @@ static DRAW_DIFFUSE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/diffuse.hlsl",
-    hash: "363a38785360116e2d6217d0fa09e7236e527fa6c3e4babfac998224ee8d11f3",
+    hash: "d8750673f2af9587011dcfd056fea4cfa54db74da09f75926c53f2cc9231c571",
 };
 
 static DRAW_DIFFUSE_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_DIFFUSE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/diffuse.hlsl",
-    hash: "b887d64e6daa56e39ccb79ab59a2e06a08110a44f9023846857aff2ad83a950e",
+    hash: "95af1a9eaab6ecedd549b5203096ea805cff84a8a2cd7338b5f6b07b35515e29",
 };
 
 static DRAW_DIFFUSE_VERTEX_WITH_WATER: Module = Module {
@@ -118,7 +118,7 @@ static DRAW_DIFFUSE_VERTEX_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/diffuse.hlsl",
-    hash: "731a1fb43c57c75ed39c0081455b2bcc3b6774fbc54d3435bcac019411bf233e",
+    hash: "57789da1767562210865c24e19ce2a3e884d87ea34cf5f33e40f092fba8bb6cb",
 };
 
 static DRAW_DIFFUSE_FRAGMENT_WITH_WATER: Module = Module {
@@ -131,5 +131,5 @@ static DRAW_DIFFUSE_FRAGMENT_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/diffuse.hlsl",
-    hash: "1657a7c8b993596722c425fd19bdea021b88fe63a9f92b3f897eb1a5fab549ac",
+    hash: "20431088a8e45ee1d7d3c4e8a5404aa0d69ae0206a6a2d7c3c12b685b8114368",
 };

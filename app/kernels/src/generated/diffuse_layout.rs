@@ -99,7 +99,7 @@ pub struct DiffuseParams {
     pub inverse_weight: f32,
     /// over the length of a flat surface's normal
     pub inverse_normal: f32,
-    /// radius of the cylinder in which a fluid particle spawns them
+    /// radius of the cylinder in which a fluid particle spawns them: what it keeps from walls
     pub spread_m: f32,
     /// that a pass stands for
     pub substeps: u32,

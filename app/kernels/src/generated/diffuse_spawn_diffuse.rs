@@ -8,8 +8,8 @@ use crate::{
     Uniform, bind,
 };
 
-/// Puts what fluid particles spawn into slots, in their order: in a cylinder along a particle's way, and parting from its axis as
-/// fast as they are off it (eqs. 9 to 11; the paper's offset in metres is taken for one in m/s, here it is a share of the speed). The
+/// Puts what fluid particles spawn into slots, in their order: in a cylinder along the way that a particle came, where nothing
+/// stood, and parting from its axis as fast as they are off it (eqs. 9 to 11; the paper's offset in metres is taken for one in m/s, here it is a share of the speed). The
 /// ring's next slots are taken; whose slot it was is over. SettleDiffuse then moves the ring on.
 #[derive(Debug)]
 pub struct SpawnDiffuse<'a> {
@@ -61,8 +61,8 @@ impl Kernel for SpawnDiffuse<'_> {
     }
 }
 
-/// Puts what fluid particles spawn into slots, in their order: in a cylinder along a particle's way, and parting from its axis as
-/// fast as they are off it (eqs. 9 to 11; the paper's offset in metres is taken for one in m/s, here it is a share of the speed). The
+/// Puts what fluid particles spawn into slots, in their order: in a cylinder along the way that a particle came, where nothing
+/// stood, and parting from its axis as fast as they are off it (eqs. 9 to 11; the paper's offset in metres is taken for one in m/s, here it is a share of the speed). The
 /// ring's next slots are taken; whose slot it was is over. SettleDiffuse then moves the ring on.
 #[derive(Debug)]
 pub struct SettleDiffuse<'a> {
@@ -159,7 +159,7 @@ static SPAWN_DIFFUSE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/spawn_diffuse.compute",
-    hash: "f1f716eb14d5d62f42e737740ad6ed260a8d0eb01bef916dbd967fd078992791",
+    hash: "f29e5029b13228463ba46db7c4cacdbce4298066f623a632fc321ac86c30e334",
 };
 
 static SETTLE_DIFFUSE: Module = Module {
@@ -172,5 +172,5 @@ static SETTLE_DIFFUSE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/spawn_diffuse.compute",
-    hash: "51ee034d88b233bdd976df77b1184c9b8e2451a3ab15309827e05b6168c5f967",
+    hash: "45904da580343e86fcaca26a0529f201d7dbd1686c179b128a7b6f881ce5c9bc",
 };

@@ -37,7 +37,7 @@ pub fn spawned(of: &Spawning, k: u32, time_s: f32, dt_s: f64, diffuse: &Diffuse)
     let aside =
         number(0).sqrt() * (angle.cos() * across + angle.sin() * upward) * DVec3::new(1.0, 1.0, diffuse.along_z);
     Particle {
-        position_m: of.position_m + aside * diffuse.spread_m + of.velocity_m_s * dt_s * number(2),
+        position_m: of.position_m + aside * diffuse.spread_m - of.velocity_m_s * dt_s * number(2),
         velocity_m_s: of.velocity_m_s + aside * SPREADING * of.velocity_m_s.length(),
         lifetime_s: diffuse.lifetime_s * (0.5 + number(3)),
         crowd: f64::from(of.neighbours) / diffuse.neighbours,
