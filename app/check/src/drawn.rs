@@ -14,8 +14,14 @@ pub(crate) fn record_frame(view: &View, options: &FrameOptions, positions: &[Pos
     let mut buffer = resources.persistent::<Position>("positions", count);
     let velocities = resources.persistent("velocities", count);
     let mut slots = Slots::declare(&mut resources, count);
-    let particles =
-        Particles { positions: &buffer, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
+    let particles = Particles {
+        positions: &buffer,
+        velocities: &velocities,
+        slots: &slots,
+        neighbours: None,
+        densities: None,
+        diffuse: None,
+    };
     let mut passes = frame::record(&mut resources, view, &particles, options).or_raise();
     passes.init.upload(&mut slots.state, &[visit_slots(count)]);
     if count > 0 {

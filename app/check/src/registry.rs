@@ -74,6 +74,15 @@ macro_rules! for_each_known_answer {
                 carry_pressure_and_apply_gravity_are_exact: ["carry_pressure", "apply_gravity"],
                 solves_end_when_little_is_left_or_nothing_is_left_to_try: ["begin_solve", "end_iteration"],
             }
+            diffuse {
+                crest_normals_match_their_twin: ["crest_normals"],
+                count_spawned_matches_its_twin: ["count_spawned"],
+                spawn_diffuse_matches_its_twin: ["spawn_diffuse", "settle_diffuse"],
+            }
+            diffuse_moves {
+                advect_diffuse_matches_its_twin: ["advect_diffuse"],
+                collide_diffuse_matches_its_twin: ["collide_diffuse"],
+            }
             drag {
                 drag_matches_its_twin: ["drag"],
                 a_drag_of_another_radius_or_velocity_fails: ["drag"],
@@ -96,6 +105,9 @@ macro_rules! for_each_known_answer {
                 calm_water_lights_the_floor_evenly: ["draw_caustics", "refract_photons"],
                 a_lattice_does_not_comb_the_light: ["draw_caustics", "refract_photons"],
                 flux_is_kept: ["draw_caustics"],
+            }
+            drawn_diffuse {
+                what_is_splatted_is_its_twin: ["draw_diffuse"],
             }
             drawn_solids {
                 solids_are_lit_where_their_poses_put_them: ["draw_solids", "draw_solids_shadow"],

@@ -49,6 +49,14 @@ pub struct Counted {
     pub drained: u64,
     /// Particles for which no slot was free.
     pub capacity_overflow: u64,
+    /// Diffuse particles that were spawned.
+    pub diffuse_spawned: u64,
+    /// Those whose lifetime ended, or that left.
+    pub diffuse_ended: u64,
+    /// Those that younger ones took the slot of.
+    pub diffuse_overwritten: u64,
+    /// Those for which a step had no slot left.
+    pub diffuse_dropped: u64,
     /// Particles whose state was not finite.
     pub quarantined: u64,
     /// Particles outside an open domain.
@@ -107,6 +115,10 @@ impl Measured {
         self.counted.emitted += u64::from(counters.emitted);
         self.counted.drained += u64::from(counters.drained);
         self.counted.capacity_overflow += u64::from(counters.capacity_overflow);
+        self.counted.diffuse_spawned += u64::from(counters.diffuse_spawned);
+        self.counted.diffuse_ended += u64::from(counters.diffuse_ended);
+        self.counted.diffuse_overwritten += u64::from(counters.diffuse_overwritten);
+        self.counted.diffuse_dropped += u64::from(counters.diffuse_dropped);
         self.counted.quarantined = u64::from(stats.quarantined);
         self.counted.escaped = u64::from(stats.escaped);
     }

@@ -369,6 +369,15 @@ impl Summary {
                 counted.capacity_overflow
             );
         }
+        if counted.diffuse_spawned + counted.diffuse_dropped > 0 {
+            say!(
+                "spray, foam and bubbles: {} spawned, {} ended, {} overwritten by younger ones, {} without a slot",
+                counted.diffuse_spawned,
+                counted.diffuse_ended,
+                counted.diffuse_overwritten,
+                counted.diffuse_dropped
+            );
+        }
         if let Some(word) = counted.instability() {
             say!("{word}");
         }

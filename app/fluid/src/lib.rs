@@ -6,6 +6,7 @@
 
 mod body_motion;
 pub mod boundary;
+pub mod diffuse;
 pub mod drag;
 pub mod drag_body;
 pub mod emitters;

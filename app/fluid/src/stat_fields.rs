@@ -92,6 +92,21 @@ pub const STAT_FIELDS: &[StatField] = &[
     field("capacity_overflow", "1", "Particles for which no slot was free since the last measurement", |s| {
         f64::from(s.counters.capacity_overflow)
     }),
+    field("diffuse_spawned", "1", "Diffuse particles that were spawned since the last measurement", |s| {
+        f64::from(s.counters.diffuse_spawned)
+    }),
+    field(
+        "diffuse_ended",
+        "1",
+        "Diffuse particles whose lifetime ended or that left since the last measurement",
+        |s| f64::from(s.counters.diffuse_ended),
+    ),
+    field("diffuse_overwritten", "1", "Diffuse particles that younger ones took the slot of, likewise", |s| {
+        f64::from(s.counters.diffuse_overwritten)
+    }),
+    field("diffuse_dropped", "1", "Diffuse particles for which a step had no slot left, likewise", |s| {
+        f64::from(s.counters.diffuse_dropped)
+    }),
 ];
 
 /// What a capture tells of a measurement (`/sim/stats`): name, unit and description of each value, first those that

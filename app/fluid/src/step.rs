@@ -8,6 +8,7 @@ use brooklet_kernels::{
 
 use crate::body_motion::BodyMotion;
 use crate::boundary::bodies::BodyBuffers;
+use crate::diffuse::DiffuseSlots;
 use crate::forces::BodyForces;
 use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
@@ -56,6 +57,8 @@ pub struct Recorded {
     pub bodies: Option<BodyBuffers>,
     /// What the density constraint's are told, if that is the solver.
     pub pbf_params: Option<Buffer<PbfParams>>,
+    /// Spray, foam and bubbles, if there are any.
+    pub diffuse: Option<DiffuseSlots>,
     /// Events since the last measurement.
     pub counters: Buffer<Counters>,
     /// What their density ratios are computed from, if they have neighbours.
@@ -164,13 +167,16 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
     if let Some(solids) = &mut context.solids {
         solids.record_init(&mut init, scene);
     }
+    if let Some(diffuse) = &mut context.diffuse {
+        diffuse.record_init(&mut init, scene);
+    }
     if let Some(sources) = &mut context.sources {
         sources.record_init(&mut init, scene, capacity);
     }
     solver.record_init(&mut init, scene);
 
     let mut step = resources.recording("step");
-    for _ in 0..scene.substeps() {
+    for substep in 1..=scene.substeps() {
         solver.begin_substep(&mut step, &mut context);
         if let Some(sources) = &mut context.sources {
             sources.record(&mut step, &mut context.slots, &mut context.counters, &mut particles);
@@ -185,6 +191,13 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         solver.record_substep(&mut step, &mut context, &mut particles);
         if let (Some(drag_walls), Some(search)) = (&context.drag_walls, solver.search()) {
             drag_walls.record(&mut step, &context, search, &mut particles);
+        }
+        let is_last = substep == scene.substeps();
+        if let Some(mut diffuse) = context.diffuse.take_if(|diffuse| diffuse.each_substep || is_last) {
+            if let Some(search) = solver.search() {
+                diffuse.record(&mut step, &mut context, search, &particles);
+            }
+            context.diffuse = Some(diffuse);
         }
         // Nothing but particles and their slots lasts from one to the next.
         step.forget_transients();
@@ -215,6 +228,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         solid_poses: context.solids.as_ref().map(|solids| solids.poses().alias()),
         bodies: context.solids.as_ref().and_then(|solids| solids.bodies().map(BodyBuffers::alias)),
         emitter_states: context.sources.as_ref().and_then(|sources| sources.emitter_states()).map(Buffer::alias),
+        diffuse: context.diffuse.as_ref().map(|diffuse| diffuse.slots().alias()),
         step_params: context.step.alias(),
         pbf_params: solver.pbf_params().map(Buffer::alias),
         slots: context.slots,

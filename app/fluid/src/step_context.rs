@@ -5,6 +5,7 @@ use brooklet_kernels::{Buffer, Counters, Position, StepParams, Velocity, WallsKe
 
 use crate::boundary::DragWalls;
 use crate::boundary::solids::Solids;
+use crate::diffuse::Diffuse;
 use crate::emitters::Sources;
 use crate::scene::Scene;
 use crate::slots::Slots;
@@ -25,6 +26,8 @@ pub struct StepContext {
     pub drag_walls: Option<DragWalls>,
     /// The solids in it, if there are any.
     pub solids: Option<Solids>,
+    /// Spray, foam and bubbles, if there are any.
+    pub(crate) diffuse: Option<Diffuse>,
     /// What particles come from and go to, if they do.
     pub sources: Option<Sources>,
 }
@@ -44,6 +47,7 @@ impl StepContext {
             periodic: scene.domain.is_periodic(),
             drag_walls: DragWalls::declare(resources, scene),
             solids: Solids::declare(resources, scene, &slots, &step),
+            diffuse: Diffuse::declare(resources, scene, capacity),
             sources: Sources::declare(resources, scene, capacity),
             step,
             slots,

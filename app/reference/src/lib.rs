@@ -7,6 +7,7 @@ pub mod boundary;
 pub mod column;
 pub mod compression;
 pub mod dam_break;
+pub mod diffuse;
 pub mod emitters;
 pub mod forces;
 pub mod grid;

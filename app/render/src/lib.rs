@@ -5,6 +5,7 @@
 //! picture.
 
 pub mod camera;
+pub mod diffuse;
 pub mod error;
 pub mod formats;
 pub mod frame;

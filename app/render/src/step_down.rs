@@ -20,8 +20,11 @@ impl std::fmt::Display for Concession {
     }
 }
 
+/// No spray, foam and bubbles; nothing to a scene that has none.
+const NO_DIFFUSE: &str = "diffuse.max_particles=0";
+
 /// Settings that do without something, what is least seen first.
-const CONCESSIONS: [&str; 29] = [
+const CONCESSIONS: [&str; 30] = [
     "solver.precision=full",
     "surface.caustics=false",
     "surface.self_shadow=false",
@@ -30,6 +33,7 @@ const CONCESSIONS: [&str; 29] = [
     "surface.mesh.smooth_normals=0",
     "surface.mesh.subdivide=1",
     "surface.mesh.dense_cells=0",
+    NO_DIFFUSE,
     "surface.smoothing=bilateral",
     "surface.smoothing=gaussian",
     "surface.smoothing=none",
@@ -76,7 +80,10 @@ pub fn step_down(
             !plan.modules().any(|module| is_refused(module.name)) && Engine::check_sizes(gpu, &plan).is_ok()
         })
     };
-    let with = |scene: &Scene, setting: &str| scene.with_setting(setting).ok().filter(|other| other != scene);
+    let with = |scene: &Scene, setting: &str| {
+        let says_something = setting != NO_DIFFUSE || scene.diffuse_particles().is_some();
+        scene.with_setting(setting).ok().filter(|other| says_something && other != scene)
+    };
     let concession = |setting: &str| Concession { setting: setting.to_owned(), reason: error.to_string() };
     for setting in CONCESSIONS {
         if let Some(other) = with(scene, setting).filter(runs) {

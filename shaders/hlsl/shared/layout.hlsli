@@ -217,6 +217,10 @@ struct Counters
     uint divergence_iterations; // and that hold its change
     uint unsolved;              // such solves that did all iterations there were and had a residual left above tolerance
     uint drained;               // particles whose slots drains emptied, or the end of their lifetime did
+    uint diffuse_spawned;       // diffuse particles (diffuse/layout.hlsli): that took a slot
+    uint diffuse_ended;         // whose lifetime was over, or that left an open domain
+    uint diffuse_overwritten;   // that younger ones took the slot of while they were there
+    uint diffuse_dropped;       // that were due when no slot was left in the step
 };
 
 // Sums and extremes of one group of particles; the last stage reduces them to one of these.

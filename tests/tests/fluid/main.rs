@@ -7,6 +7,7 @@ mod comparators;
 mod dam_break_front;
 mod determinism;
 mod dfsph;
+mod diffuse;
 mod domains;
 mod domains_lists;
 mod emitters;

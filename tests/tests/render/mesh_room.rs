@@ -50,8 +50,14 @@ fn frame(positions: &[Position], options: &MarchingCubesOptions) -> Frame {
     init.upload(&mut slots.state, &[visit_slots(count)]);
     init.upload(&mut at, positions);
     let mut draw = resources.recording("draw");
-    let particles =
-        Particles { positions: &at, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
+    let particles = Particles {
+        positions: &at,
+        velocities: &velocities,
+        slots: &slots,
+        neighbours: None,
+        densities: None,
+        diffuse: None,
+    };
     let surface = record(&mut resources, (&mut init, &mut draw), (&particles, None), options);
     let wanted = [surface.vertices.id, surface.indices.id, surface.counts.id];
     let ids = [init.id(), draw.id()];

@@ -210,8 +210,14 @@ fn densities_of_particles_without_neighbours_are_refused() {
     let mut resources = Resources::new();
     let (positions, velocities) = (resources.persistent("positions", 1), resources.persistent("velocities", 1));
     let slots = Slots::declare(&mut resources, 1);
-    let particles =
-        Particles { positions: &positions, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
+    let particles = Particles {
+        positions: &positions,
+        velocities: &velocities,
+        slots: &slots,
+        neighbours: None,
+        densities: None,
+        diffuse: None,
+    };
     let wanted = FrameOptions { coloring: Coloring::Density, ..options() };
     let error = frame::record(&mut resources, &view([16, 9]), &particles, &wanted).expect_err("no densities");
     assert!(error.to_string().contains("coloring"), "{error}");

@@ -89,6 +89,7 @@ fn draw(view: &View, positions: &[Position]) -> Drawn {
         slots: &slots,
         neighbours: Some(&listed),
         densities: None,
+        diffuse: None,
     };
     let into = (&mut init, &mut recording);
     let drawn =

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "de863c069ad2d2d1a6dfba96a5ca1ebd869ccfa2600c573b34b9cb1f9b4a4391",
+    hash: "7f4de98b3612d9ea0c0c22bee5c54e5edf3e7d6ea81d64df0f667f5c61297879",
 };

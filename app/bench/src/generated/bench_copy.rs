@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "647781a6f330b862518e7022f89e7590f7b4414a74f62537a8b0dd744b551f42",
+    hash: "20a3ea2c213544edff9f801e3de29d877110562653a94f2cdbd2c8b9cf123737",
 };

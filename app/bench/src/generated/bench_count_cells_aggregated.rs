@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "b4ca2ab6d3d33ae3302893d35cd4cfeea44348685e0c1d985e11f825222fbce2",
+    hash: "7eafe148415a7d1ddbe45cc012659af5a65859ae42b7769eba6ceb3ca979e68c",
 };

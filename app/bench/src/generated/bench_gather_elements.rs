@@ -55,5 +55,5 @@ static GATHER_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/gather_elements.compute",
-    hash: "e8aeae6226bac118c82179a0b4864aa60206f5cc1558b463a7b01bf8c62c5d34",
+    hash: "5de8192ddc6e61aa1cf52768686a859815408ccb767c029c710869ce3e143049",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "db77e5265a163ebe4921c17cd2c90be9b6b771faaa064e9aa8e4ec93d6a48f11",
+    hash: "fe2dd77c710ad0fa04cbf3e5c98abda5b88aa852d68bb65c7f38d1ddc2739bc1",
 };

@@ -45,5 +45,5 @@ static MULTIPLY_ADD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/multiply_add.compute",
-    hash: "d8061aa53c7d383e5e0f92b7e8cde93cb2fb7ecfd66aafe5541e301d8b28b06b",
+    hash: "6389f73348962860030d63c189b7c03f71eb6eff5fd7a8ce836af268e6962c77",
 };

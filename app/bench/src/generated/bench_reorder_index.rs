@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "4c39f2fa3c04b94d359edf2add20777cb5942a479594838d2dd7d4873a1dacf8",
+    hash: "17c2b94bd24548d96b04681978bacbb7093cbfb281e9c40b710b4d1c0abb9b7e",
 };

@@ -74,7 +74,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "6a71dab149c21425e71ce17185d589f9c7ba8c2ead3932082de798e3330113e8",
+    hash: "64bcb35d1cc4d8874867fd9591d412229d00b03421b6d857cc159a3c9b50ec8d",
 };
 
 static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
@@ -87,5 +87,5 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "c09fb346eab7681bffe613d299a2a7a5638a48914b0f3f6df1bda0eae01a1121",
+    hash: "f52e36f44c46242a4c9ff25081a53568662da85f644e0ca58b6aebc9dda1f4ae",
 };

@@ -87,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "ff1b1c6727bc43311571ce016a9585f27a188bf87ab397d29e4840e57f77aac0",
+    hash: "967de69b8988bbed40b4c2752198a3a65f90747334e72610cc6bd79c375fec80",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -100,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "fedc99c8f0318ad3783df3ba2c2bf83343a4f218ed2d110a305d384dc3df455b",
+    hash: "495af67dd4d11bd49b80e0fc42bc42d1771c643a8d7d140c272da2e2bbbe2f90",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -113,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "06c88ca1f6c2ccf1b738e608d88131c9232aaec058c4c5997351e9557438bad7",
+    hash: "94f4d75fc1fbba2aeda461d270752db11e362d0713fa24b148add5e0d8b62e9f",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -126,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "3661480df7b2d49201c3eceee886f8c77e245d7d34d211ca982e9eac68b7a025",
+    hash: "e39f3f2f505ff5bfe8df07cfaf40a2bf8114cb08a90ebad7a76bded38d7ea232",
 };

@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "d556a6ec60979aee6ba4e251c601140afd1237e579f0e48b93a15a971cbf7abe",
+    hash: "c96d09008f8d5984aea5b1a1bf472dc66c5ca6bbc2ee753f543e5288d0d303e2",
 };

@@ -81,6 +81,7 @@ pub fn draw(
         supersample: 1,
         shadow_texels: 64,
         edges: false,
+        diffuse: None,
     };
     let positions = positions(particles_m);
     let mut resources = Resources::new();
@@ -95,6 +96,7 @@ pub fn draw(
         slots: &listed.slots,
         neighbours,
         densities: None,
+        diffuse: None,
     };
     let into = (&mut init, &mut recording);
     let surface = match filter.mesh {

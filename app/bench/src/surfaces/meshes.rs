@@ -115,6 +115,7 @@ fn make(
         slots: &listed.slots,
         neighbours: options.anisotropic.then_some(&listed.neighbours),
         densities: None,
+        diffuse: None,
     };
     let ellipsoids =
         screen_space::record_ellipsoids(&mut resources, (&mut init, &mut recording), &particles, &screen_space);

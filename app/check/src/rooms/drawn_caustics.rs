@@ -75,6 +75,7 @@ fn options(device: &Device, photons: u32) -> (ScreenSpaceOptions, FrameOptions) 
         supersample: 1,
         shadow_texels: 2 * photons,
         edges: false,
+        diffuse: None,
     };
     (surface, frame)
 }

@@ -119,14 +119,21 @@ fn draw(device: &Device, scene: &Scene, poses: &[SolidPose], size_px: [u32; 2]) 
         supersample: 1,
         shadow_texels: 512,
         edges: false,
+        diffuse: None,
     };
     let mut resources = Resources::new();
     let positions = resources.persistent("positions", 1);
     let velocities = resources.persistent("velocities", 1);
     let mut slots = Slots::declare(&mut resources, 1);
     let mut moved = resources.persistent("solid_poses", poses.len() as u32);
-    let particles =
-        Particles { positions: &positions, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
+    let particles = Particles {
+        positions: &positions,
+        velocities: &velocities,
+        slots: &slots,
+        neighbours: None,
+        densities: None,
+        diffuse: None,
+    };
     let solids = Solids { scene, poses: &moved };
     let mut passes =
         brooklet_render::record_with_solids(&mut resources, &view, &particles, Some(solids), &options).or_raise();

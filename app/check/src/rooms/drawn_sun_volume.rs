@@ -59,6 +59,7 @@ fn options(device: &Device, self_shadow: bool) -> FrameOptions {
         supersample: 1,
         shadow_texels: 128,
         edges: false,
+        diffuse: None,
     }
 }
 

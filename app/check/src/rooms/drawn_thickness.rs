@@ -116,6 +116,7 @@ fn draw(device: &Device, size_px: [u32; 2], eye_m: DVec3, positions: &[Position]
         supersample: 1,
         shadow_texels: 64,
         edges: false,
+        diffuse: None,
     };
     let (resources, passes) = record_frame(&view, &options, positions);
     let water = passes.water.or_raise();

@@ -84,8 +84,14 @@ pub(super) fn run_with(
     let (resources, recording) = bench.parts();
     let mut slots = Slots::declare(resources, count as u32);
     recording.copy(&step, &mut slots.state);
-    let particles =
-        Particles { positions: &at, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
+    let particles = Particles {
+        positions: &at,
+        velocities: &velocities,
+        slots: &slots,
+        neighbours: None,
+        densities: None,
+        diffuse: None,
+    };
     let mesh = bench.record_with_init(|resources, init, recording| {
         marching_cubes::record(resources, (init, recording), (&particles, ellipsoids.as_ref()), options)
     });

@@ -104,6 +104,7 @@ fn draw(device: &Device, view: &View, options: &ScreenSpaceOptions, positions: &
         supersample: 1,
         shadow_texels: 64,
         edges: false,
+        diffuse: None,
     };
     let values = FrameValues::new(view, &frame).or_raise();
     let count = positions.len() as u32;
@@ -114,8 +115,14 @@ fn draw(device: &Device, view: &View, options: &ScreenSpaceOptions, positions: &
     let (mut init, mut recording) = (resources.recording("init"), resources.recording("draw"));
     init.upload(&mut frame_view, &[values.view]);
     let slots = Slots::declare(&mut resources, count);
-    let particles =
-        Particles { positions: &buffer, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
+    let particles = Particles {
+        positions: &buffer,
+        velocities: &velocities,
+        slots: &slots,
+        neighbours: None,
+        densities: None,
+        diffuse: None,
+    };
     let into = (&mut init, &mut recording);
     let surface = screen_space::record(&mut resources, into, &frame_view, &particles, view.size_px, tier, options);
     let wanted = [surface.raw.id, surface.inverse_depth.id, surface.normals.id];

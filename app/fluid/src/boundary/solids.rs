@@ -7,12 +7,13 @@
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    BodyState, Buf, BufMut, Buffer, CollideSolids, CollideSolidsVariant, ConfineDisplacements,
-    ConfineDisplacementsVariant, Keyframe, MarkSolids, MoveSolids, Position, PrecisionKeyword, SampleSolids,
-    SmoothingKernelParams, Solid, SolidContact, SolidPose, SolidsParams, StepParams, Velocity,
+    BodyState, Buf, BufMut, Buffer, CollideDiffuse, CollideSolids, CollideSolidsVariant, ConfineDisplacements,
+    ConfineDisplacementsVariant, Counters, DiffuseParams, Keyframe, MarkSolids, MoveSolids, Position, PrecisionKeyword,
+    SampleSolids, SmoothingKernelParams, Solid, SolidContact, SolidPose, SolidsParams, StepParams, Velocity,
 };
 
 use super::bodies::{Around, Bodies, BodyBuffers};
+use crate::diffuse::DiffuseSlots;
 use crate::scene::{Scene, body_count, field_nodes, solids, surface_point_count};
 use crate::slots::Slots;
 
@@ -240,6 +241,28 @@ impl Solids {
                 kernel: kernel.uniform(),
             },
         );
+    }
+
+    /// Stops the paths that diffuse particles took in the step. (Shader: `diffuse/collide_diffuse.compute`.)
+    pub(crate) fn collide_diffuse<'a>(
+        &'a self,
+        slots: &'a mut DiffuseSlots,
+        counters: &'a mut Buffer<Counters>,
+        params: &'a Buffer<DiffuseParams>,
+    ) -> CollideDiffuse<'a> {
+        CollideDiffuse {
+            solids: self.solids.read(),
+            solid_poses: self.poses.read(),
+            solid_fields: self.fields.read(),
+            solid_blocks: self.blocks.read(),
+            diffuse: slots.particles.write(),
+            counters: counters.write(),
+            diffuse_state: slots.state.uniform(),
+            step_state: self.slots.state.uniform(),
+            step_params: self.step.uniform(),
+            solids_params: self.params.uniform(),
+            diffuse_params: params.uniform(),
+        }
     }
 
     /// What each particle knows of the solids near it.

@@ -1,6 +1,7 @@
 //! What a scene's values may be: each within its limits, and all of them together.
 
 mod bodies;
+mod diffuse;
 mod emitters;
 mod faces;
 mod forms;
@@ -156,6 +157,7 @@ impl Scene {
         }
         self.check_emitters(&check)?;
         self.check_drains(&check)?;
+        self.check_diffuse(&check)?;
         self.check_count(&check)?;
         if let Some(camera) = &self.camera {
             let squared_m2: f64 = (0..3).map(|axis| (camera.eye_m[axis] - camera.target_m[axis]).powi(2)).sum();

@@ -342,6 +342,22 @@ pub const FIELDS: &[Field] = &[
         .of(WITH_FORCES)
         .slider(0.0, 1.0)
         .term("0", "0.1"),
+    Field::new("diffuse", Kind::Table, REBUILD).of(WITH_NEIGHBOURS),
+    Field::new("diffuse.max_particles", whole(0.0, 16_777_216.0, ""), REBUILD)
+        .of(WITH_NEIGHBOURS)
+        .logarithmic(1000.0, 1.0e6)
+        .term("0", "200000"),
+    Field::new("diffuse.trapped_air_per_s", number(0.0, 1.0e6, "1/s"), REBUILD).of(WITH_NEIGHBOURS).slider(0.0, 1000.0),
+    Field::new("diffuse.wave_crest_per_s", number(0.0, 1.0e6, "1/s"), REBUILD).of(WITH_NEIGHBOURS).slider(0.0, 1000.0),
+    Field::new("diffuse.lifetime_s", number(1.0e-3, 1.0e6, "s"), REBUILD).of(WITH_NEIGHBOURS).slider(0.1, 10.0),
+    Field::new("diffuse.buoyancy", number(0.0, 100.0, ""), REBUILD).of(WITH_NEIGHBOURS).slider(0.0, 10.0),
+    Field::new("diffuse.drag", number(0.0, 1.0, ""), REBUILD).of(WITH_NEIGHBOURS).slider(0.0, 1.0),
+    Field::new("diffuse.trapped_air_min_m_s", number(0.0, 1.0e6, "m/s"), REBUILD).of(WITH_NEIGHBOURS),
+    Field::new("diffuse.trapped_air_max_m_s", number(0.0, 1.0e6, "m/s"), REBUILD).of(WITH_NEIGHBOURS),
+    Field::new("diffuse.wave_crest_min", number(0.0, 2.0, ""), REBUILD).of(WITH_NEIGHBOURS).slider(0.0, 0.5),
+    Field::new("diffuse.wave_crest_max", number(0.0, 2.0, ""), REBUILD).of(WITH_NEIGHBOURS).slider(0.0, 1.0),
+    Field::new("diffuse.energy_min_j_kg", number(0.0, 1.0e9, "J/kg"), REBUILD).of(WITH_NEIGHBOURS),
+    Field::new("diffuse.energy_max_j_kg", number(0.0, 1.0e9, "J/kg"), REBUILD).of(WITH_NEIGHBOURS),
     Field::new("surface", Kind::Table, REBUILD),
     Field::new("surface.method", Kind::Choice(&["screen-space", "marching-cubes", "auto", "points", "none"]), REBUILD)
         .term("none", "screen-space"),

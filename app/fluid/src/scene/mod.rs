@@ -5,6 +5,7 @@ mod bodies;
 mod change;
 mod check;
 mod dfsph;
+mod diffuse;
 mod domain;
 mod emitter_shapes;
 mod emitters;
@@ -43,6 +44,7 @@ mod update;
 pub use bodies::{bodies, body_count, body_mass_kg, first_body_states, surface_point_count, surface_points};
 pub use change::Change;
 pub use dfsph::DfsphSettings;
+pub use diffuse::DiffuseSettings;
 pub use domain::Domain;
 pub use emitter_shapes::{EmitterTables, drains, emitter_states, emitters};
 pub use emitters::{DrainSettings, EmitterSettings};
@@ -117,6 +119,9 @@ pub struct Scene {
     /// What acts on the fluid beside gravity and the solver.
     #[serde(default)]
     pub forces: Forces,
+    /// Spray, foam and bubbles; an empty table has them, without it there is no pass, no buffer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub diffuse: Option<DiffuseSettings>,
     /// How the fluid is drawn.
     #[serde(default)]
     pub surface: Surface,

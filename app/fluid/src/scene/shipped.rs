@@ -6,6 +6,7 @@ use super::nearest::nearest;
 const SCENES: &[(&str, &str)] = &[
     ("dam-break", include_str!("../../scenes/dam-break.toml")),
     ("double-dam-break", include_str!("../../scenes/double-dam-break.toml")),
+    ("breaking-wave", include_str!("../../scenes/breaking-wave.toml")),
     ("falling-ball", include_str!("../../scenes/falling-ball.toml")),
     ("faucet", include_str!("../../scenes/faucet.toml")),
     ("fountain", include_str!("../../scenes/fountain.toml")),

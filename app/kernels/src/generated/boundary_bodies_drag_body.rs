@@ -44,7 +44,7 @@ impl Kernel for DragBody<'_> {
 pub(super) static MODULES: &[&Module] = &[&DRAG_BODY];
 
 static BINDINGS_0: &[BindingInfo] = &[
-    BindingInfo { name: "bodies", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 } },
+    BindingInfo { name: "bodies", slot: 0, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 128 } },
     BindingInfo {
         name: "body_states",
         slot: 1,
@@ -59,11 +59,11 @@ static DRAG_BODY: Module = Module {
     name: "DragBody",
     entry: "DragBody",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6076 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6396 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/drag_body.compute",
-    hash: "ab437be8d35421c03e6254c733a149c2f0dfce3e59fdfc90eb50dc8c8e458ed8",
+    hash: "cf7f87032f1def574cfe72f3016b708d3e482a1f2af0b7055b8ae09237fcfc87",
 };

@@ -96,5 +96,5 @@ static FIND_CONTACTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/find_contacts.compute",
-    hash: "a594ce34944b42a31c86820e620aa2c0c02f52d793765ba65e37d35232163bc2",
+    hash: "e2e70f2eef6bdc1bcc1ddd444c761d6d09258cd7bd491131e43b3b8ba9ff0c9c",
 };

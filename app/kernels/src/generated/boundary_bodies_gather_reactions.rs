@@ -83,5 +83,5 @@ static GATHER_REACTIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/gather_reactions.compute",
-    hash: "9965e814e0492a3198ddd565dcd8a1e5758f8e733a5daa34b7764a619f2d6bb1",
+    hash: "21d1623291e6e29820e10edd74cc1a17259b2bcd59960c560c1931ed1dbea1d7",
 };

@@ -96,5 +96,5 @@ static STEP_BODIES: Module = Module {
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "72b18eaf38988b814edc15805bd5af6952dc6ca13da52a8293cf97e7a9853b96",
+    hash: "dad508441cb9bd6c616053d3a9ec338fae181861421a1f2e3d2b60eddafe3dbd",
 };

@@ -80,5 +80,5 @@ static DRAG_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/drag_walls.compute",
-    hash: "beab3841dbad90c3f7838dc77d029bf3434dbd19656bf063ae5a8c7582c91701",
+    hash: "756a4ee18a1bdd46b354574eee7db664ca5a87b018a642d5d7a771da12776c00",
 };

@@ -144,7 +144,7 @@ static COLLIDE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "5f099282bd5197f1260cc86a1d78560f5a57282f175afd1008fd839034fe2fa7",
+    hash: "ec8178dc3b026a758138140718542f48af35d8f2994ce5202912d1d2e6dd5a8c",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
@@ -157,5 +157,5 @@ static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "4d685d125e41e0bab9af04091e52c77d73cf9ad392e6d4363abadba581dbccdf",
+    hash: "453241e7ffe0a89ecccdf75942d47c41d4e564b403ff7fa181efae3d35dfc14a",
 };

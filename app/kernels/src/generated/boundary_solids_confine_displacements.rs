@@ -162,44 +162,44 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "1f6b917ea84dd90a4765179d16b1fca461cbe6979b1207af90ee6ac257b6d9f6",
+    hash: "1d210e86a2f5fe45e1245f91390958171ed1533a3e19805bcb30790afe39354a",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 45444, bytes: 45036 },
+    spirv: Spirv::Packed { pack: PACK, first: 45444, bytes: 46164 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "487a4ca411f1f7155408d34fa06f7bac8b2e3fd8e2e19fba3dec3e8e30a1aaf2",
+    hash: "d0f97c918f51402305541900c25fa9d5fa2f4146637aec201e34430e06d85c43",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     name: "ConfineDisplacements+BODIES",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 90480, bytes: 49664 },
+    spirv: Spirv::Packed { pack: PACK, first: 91608, bytes: 49664 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "daa4e3d4d5d198a13578f9e0fbbcc05e7eafb8a14fd32a876f1a740ee896f4cd",
+    hash: "f42027ac7f6bbdd582373fd0364c7e22a8c0d19ba01eed44141e3faff5b4da67",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+BODIES+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 140144, bytes: 49272 },
+    spirv: Spirv::Packed { pack: PACK, first: 141272, bytes: 50384 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "3d4592ff6e5c6d0add6c8231144b727d8efb38dc20945d5b79b41d8fbf0e0b27",
+    hash: "a69a7abd96057cbf5cc513f1da8e7ef0be3801402d2a35c913ac548151a9953b",
 };

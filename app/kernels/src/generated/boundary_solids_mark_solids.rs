@@ -64,5 +64,5 @@ static MARK_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/mark_solids.compute",
-    hash: "7ce8f3763b96e2982dba75fb6983b6f771afa522a0e007cd51b00e5c21d90da5",
+    hash: "d4f8500e9bf4f7bea50b4884378286b1ef48e694a319bfc7555f1dd9dff25735",
 };

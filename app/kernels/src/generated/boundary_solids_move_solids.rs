@@ -71,5 +71,5 @@ static MOVE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "1e6ee60326f229698a2892e296a9e385e1fb26d6673ca5b7792b417d1ce69e01",
+    hash: "c55de515d1e06eec1cd4b871b18fbb9bc7ac94db46963aca4b16f12fc3e35e8d",
 };

@@ -93,5 +93,5 @@ static SAMPLE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "a79fa5f72ff351c09ac0a440559aaf7ccbed3c111a39afdac1c997c17b273144",
+    hash: "af02c1ff651df0946734cfbe589516c318001541680ae6c17a31b3d8ab3c9e4f",
 };

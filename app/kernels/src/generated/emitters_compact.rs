@@ -213,7 +213,7 @@ static MARK_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/compact.compute",
-    hash: "b557a5d7186123144cc6c9f7f926762c1f6b6b9f5ca8c0167b1ef4556fe84456",
+    hash: "c0b376a522de80c5e2f040ab9108de5e574b8f56d77ae3fb7e54402b580ecb26",
 };
 
 static LIST_MOVERS: Module = Module {
@@ -226,7 +226,7 @@ static LIST_MOVERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/compact.compute",
-    hash: "5c88d93d381413dbf8e1377c0c4b2d9f296ac71d02226fe9c0607afd95045bcb",
+    hash: "9036adab042a76b46ae9795b4ddea24bc118dd47057a3523ba6a5c96f1775048",
 };
 
 static FILL_HOLES: Module = Module {
@@ -239,7 +239,7 @@ static FILL_HOLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/compact.compute",
-    hash: "ff34af689b2396c748615441cfb16ce8c24773b4808ac0e3c89b6586504a8d43",
+    hash: "0cb75c944cdc0372fb7c0f88f65036e9988a863a13bcf49da933b8bc8f8f0910",
 };
 
 static COUNT_COMPACTED: Module = Module {
@@ -252,5 +252,5 @@ static COUNT_COMPACTED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/compact.compute",
-    hash: "f741de27299e7399a7c2d2cd93dbb9e58db68c108eb4e3287e8fd5bf1d1c675f",
+    hash: "94d651542e2c4410e7e66aaecd9af9e1a0ec33dfc794b205e61d01f43d30b3b1",
 };

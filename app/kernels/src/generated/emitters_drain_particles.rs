@@ -66,7 +66,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 3,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "drain_params", slot: 5, kind: BindingKind::Uniform { bytes: 16 } },
@@ -78,11 +78,11 @@ static DRAIN_PARTICLES: Module = Module {
     name: "DrainParticles",
     entry: "DrainParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5916 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6128 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 4,
     tier: Tier::Floor,
     source: "emitters/drain_particles.compute",
-    hash: "1b1168ea14e7bd683f81a110ef049d161f64206100b7bf316f3ac1758d9534c2",
+    hash: "123fe434515dfb36c7ba8ca7c586b45762ea16c0782c3a0e8d7abb54e6044ec2",
 };

@@ -96,5 +96,5 @@ static EMIT_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/emit_particles.compute",
-    hash: "8ae1d9626b2bdf2878a386657aff1379633b6ee5e50112f9a217a618e90531d3",
+    hash: "09e4e81b5addd148fca9c1f3214931eb755eb5eb7b3bedbff29bc26fd802cb44",
 };

@@ -81,5 +81,5 @@ static GUIDE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/guide_particles.compute",
-    hash: "339af6e3417c737faac342fe02f787dd4d86cac215240283b615b2348b40c3aa",
+    hash: "ea38ab8806114bb6038ea83ac0dad9dfd58539e07a7b0bb58819375635660f07",
 };

@@ -177,7 +177,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 3,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "drain", slot: 5, kind: BindingKind::Uniform { bytes: 32 } },
@@ -195,7 +195,7 @@ static MARK_DRAINED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/limit_drain.compute",
-    hash: "07a32d2a08e5676fe598023741de620ef17085eefe981a1fd70e0475a76c0f3f",
+    hash: "23a89748c655e28b77009c390065efdf02aadcd524b5b1c3cd2e8c5174b05820",
 };
 
 static TAKE_DRAINED: Module = Module {
@@ -208,18 +208,18 @@ static TAKE_DRAINED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/limit_drain.compute",
-    hash: "bbf52b7a98af901a33394960e6ed8006b03ede76d608ea0cdf67dd666fb20667",
+    hash: "330c860568e319818b7fa0361b792f4bb56b73615448dc4ab3744d643a2a66f0",
 };
 
 static SETTLE_DRAIN: Module = Module {
     name: "SettleDrain",
     entry: "SettleDrain",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6464, bytes: 3540 },
+    spirv: Spirv::Packed { pack: PACK, first: 6464, bytes: 3752 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/limit_drain.compute",
-    hash: "c883af27601e0228130ea23e59b00fb9dd89312cc545c05030abf589f24fb032",
+    hash: "aa96780b0167fac988d18f6b442a9639be8136cb07ea4c01e6293aad6cc54e83",
 };

@@ -83,7 +83,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 6,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "emission_params", slot: 7, kind: BindingKind::Uniform { bytes: 32 } },
 ];
@@ -94,11 +94,11 @@ static OPEN_EMITTERS: Module = Module {
     name: "OpenEmitters",
     entry: "OpenEmitters",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14884 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15096 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "emitters/open_emitters.compute",
-    hash: "57e4dbaf1093b954fdd55b335705b1f233d8cbc2352a5b1baf22726f5f4cdd96",
+    hash: "91ef5172cd16f3dd2b53fa6bafb67e9bd3aa8dbb4e7f591cde29cd287ec2d23b",
 };

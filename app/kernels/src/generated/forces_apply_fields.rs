@@ -72,5 +72,5 @@ static APPLY_FIELDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/apply_fields.compute",
-    hash: "11341e404aed16719d1701be0882a190e20443a77c3358a1879a941c6d4ce4f9",
+    hash: "5684666a7f29322b325e826e2cccd700cf6b104c71384374d2d38c25639384d0",
 };

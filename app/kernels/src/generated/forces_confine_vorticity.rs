@@ -102,7 +102,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "64078c9eeb22b1fec6754c26cb0adbf1b6acec6b509ad25dfb4105bbc2c8a246",
+    hash: "b2fd9320ae476580f5ed086bb8d1133d9be625c2502d3d1d3d7427dad9f65af9",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "d3c71b298c80282d525db37e8d26c7bd450594eed35b83e92e94e4d3713ae0d4",
+    hash: "3aa30fd079a9e06e3c1fc10ffca384493ac541e09b218676e88036eb27095b68",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "c713e358f00691e2a42fc3a9f40cb84b39d5825d37fdd370d433bee5bc8e5ed3",
+    hash: "1c17389d1c4a9031d61bc5cc2ee76076298fe48a8927c375131b5b803ed62f8c",
 };

@@ -100,7 +100,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "37a5e89dfc707e074490d0a2b37fa286a25ea8d0263e55fd377f34c4869c093d",
+    hash: "f81a3b817c8658de70f4bb4c04e840bd1dfea60c70e6ecfba134bc30c7ba649d",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -113,7 +113,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "ab0060e900f364edd2d6d1188f1312b6a8b7c125dd41e5aaf1f04068b04830a2",
+    hash: "d56f3f3a88d715f8dc12754b076244821c161da8ac64276f9df096aa82591e76",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -126,5 +126,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "e9192dbf0e9b8502491bf0a11c6f42b556daca5840d6ca6a02d49079d250f87b",
+    hash: "5309624da39cfadd45ee215d5b661ae0c8ccbac0bfa656811dbe7d1182458a5b",
 };

@@ -105,7 +105,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "cdfb6fe62fc069d78bcb0aebdc8d8cf81aa27ab983c5acc294b3ee183a845165",
+    hash: "4711d86a37961d754b8c92ef0c18cb5fe65b3cc07dcb536b0ef4ff8249d75d44",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -118,7 +118,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "cb3688c0c31e01095a5a57d27ddaa96207d81c312c2561e12e5aecfd43e40be2",
+    hash: "1c786bdbf4a4c5632b5c8c8d2605e3a6478473b9cf67443da9c223c0c6179b0f",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -131,5 +131,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "79f54e5485204d82f12928cb29a8e76b222f2546198937bdd9d1358e85031a7c",
+    hash: "1a7310f5e3f9848c87e83c5d3699fa73ef96f3b4b20a297edc277ae32abec50c",
 };

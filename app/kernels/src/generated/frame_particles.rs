@@ -65,7 +65,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "300d302500eb866e7d989b84d6385bffd864be81c0a450fcff7d113b27d9b7c0",
+    hash: "f9685810ffa0be712b39c1fa109f5f0e571aa9ed2d9557adab1bb9dad593700a",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "f91dec275311c6ee8fedae58feb202baee446b13b46ebdf1765f93729bb5fac0",
+    hash: "ce6ecf16ced3a3ffae73660f1d62cc40ad2a3750991520cdcca463f2f9150d8d",
 };

@@ -183,7 +183,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "f6757d653030826a86868210a47d01746673a961115651aee9f090b8f9a84997",
+    hash: "119e00acca346569b282fc1c125c247989ac85fb2919bb567e2c6a4ddfe861a5",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "17d283bc3f0066070831686f0b16e3d2daf9010c8609f8916146ca8903922bc5",
+    hash: "83e4c211c540060bfcfd3b37d2b8872ca914f731570315c8f600b82aef0384a9",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "8c5c51aecd2c042e4f186feaa4b94e4d7b70c2511183148de5d3e4aee62b08c3",
+    hash: "cf34213ffebcced35edf88ccc3400c01d4febc26ff0276c504e25eed47c48b37",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -222,7 +222,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "b9404969909aacc8d3ae80374de6d079a510c2fb9d23d8baf294f71465fd33eb",
+    hash: "0264e6eca95d24ed3d074f51c356a35707184e2a3e4b58a60c99141613f09666",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -235,7 +235,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "e04a51fa68c9b334e110284153b8e072d3a841cbf288636c02007f351141cbd6",
+    hash: "c0fc3cb4af3eb6177bcd1cd70b0e39d9a31e9e2f31e1f217a019ca0ca61c5cf5",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module {
@@ -248,7 +248,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "400460ee91482cfd0f3e9ad9b54932aad1b0461faec2796632c0e5956386ca1e",
+    hash: "e8fece5a58a602eff47dac4439ed60e480eb015992c5053fd0d2f277689c88b4",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -261,7 +261,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "920db021758a15ee2b2b6f5a100125c45d9e07e303862162686c1f0bb6a8bd45",
+    hash: "d7ed18ef33e075e6fe9af4dc1db1b5f9d366b183799f469507550629a13d9804",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Module {
@@ -274,5 +274,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "9ceb17ea1b90e6d7eb294291503629672e28d94f5ac62948dac4799ada36fcbe",
+    hash: "4b2a2dab99735c8f516c9a4a8fe537d8a74d650aa0c151705989ca470e4d09f5",
 };

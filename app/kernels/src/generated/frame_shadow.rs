@@ -58,7 +58,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "4eec0d9329ae8eb90958b1e9caa8a099dd76c9c5bbbd62a72443370df3b6f8ad",
+    hash: "c5c4281163af79ed94d17e4b9dc57cedb75c966a213770250986cb83648e3611",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "e3d14ef799167ef0cf7db8fbaa0229f160808e8a9371eb4a63333dbea4dbe6b8",
+    hash: "80c901111283fd2e3ae7ee9c31f9da51c1f2b0b1d328eaf1753f10c1a19b3aab",
 };

@@ -63,5 +63,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "cd312cdb5e3b0ab05660b52e0a2af56c08d7fccb4999b39cf26665357b3b2b67",
+    hash: "0503b31933183bdd7ed33dad77b41439b4482983cd8f4fa9a260f08e67d26273",
 };

@@ -93,7 +93,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "40f6a96cd0dba6daf55cbae94a652d96b2e338d1a6f6e897a8dac7f4f24ea963",
+    hash: "205f1d8c0a644d5cd3818116bcaa1be0ba88b655735d988e822e2203466f58e4",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "8a741300960e1fd4fae93ec570372d1eeed0bf003c7fbb06f0701c49720669e2",
+    hash: "956fc4f36348bbf59cacd0e96c419087cea5e02e61aa20729cfa4ac2e49a8c4e",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -119,7 +119,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "144a6c158d3ca5e593bfcd37dbfc715f13314cc0fe26a95c5e3d09f05b160dfe",
+    hash: "9035b9c01fb5547ec7f2e23d55fe80d4b9aa258d60dd55f920c0d7a7e1b0a1b5",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "3beb0e8a078504feef2dcfaaa0b944d8fd5040cb4473f5801f01cd67232d29d8",
+    hash: "d8026c3c2435a30e5afc39e06d609011d6d8a634417f1ea2b5d632bd2aefcac9",
 };

@@ -120,7 +120,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "grid", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
@@ -132,102 +132,102 @@ static LIST_NEIGHBOURS: Module = Module {
     name: "ListNeighbours",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15120 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15332 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "768a3478020b1ce807e6450eba9e5b664f64f50f90fff869a0819826011cf64e",
+    hash: "bd7b88783a0c5053d5c0ad39cc708ffc5d7fab576e39df6bb29aa063c262904a",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15120, bytes: 15736 },
+    spirv: Spirv::Packed { pack: PACK, first: 15332, bytes: 15948 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "c3fbc090129972746205c9af7053df18c89a7c09ffb15acf6cc5049901880799",
+    hash: "f917fa5eb90c039b47b68ccafdb535f6385cff1e2954bbdb29b84c9f64e5376c",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30856, bytes: 17188 },
+    spirv: Spirv::Packed { pack: PACK, first: 31280, bytes: 17400 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "bd2393cc195d75489d62db4a1288203fc79fea32ed8d2df93adf950c4b41803e",
+    hash: "0c16d96b7c4503ead93631a6143be3ad1e59c57e49f7889cac99a60c141a112b",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 48044, bytes: 17804 },
+    spirv: Spirv::Packed { pack: PACK, first: 48680, bytes: 18016 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "e424af2aed7e58d6598aabfa540012ec9e7c432f08bdda32639fa303417e4121",
+    hash: "dacacf89d62710e27380b85c3e5862b12e5a78feddb527435907fa999a69aebb",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     name: "ListNeighbours+WRAPPED",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 65848, bytes: 18104 },
+    spirv: Spirv::Packed { pack: PACK, first: 66696, bytes: 18316 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "0025278ae02941ba7c910cd097587b54bd6a7cca68f1f8109cb68cc2df3bba68",
+    hash: "ff7902ca28bc9aca087c256d26a1597f565d5bad9f08cbfe091dab0c0d86e4fc",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+WRAPPED+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 83952, bytes: 18720 },
+    spirv: Spirv::Packed { pack: PACK, first: 85012, bytes: 18932 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "0488e9ac166099b492f231665247b002bce9023ad70f3ee84bf79023ba19b359",
+    hash: "48344b02f2106abfe3efb05aeb16c5c3df4fca876267ab634ec6f42d0aebedcc",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     name: "ListNeighbours+WRAPPED+PERIODIC",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 102672, bytes: 19512 },
+    spirv: Spirv::Packed { pack: PACK, first: 103944, bytes: 19724 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "be2b6d2e1c58948814b48b2512c97e64f21dd6fe2d393b5d8f3ad3cff762607d",
+    hash: "9770a58dffb36e85c9cee5d464a60fe24d57bfe08bd6f1fe3b8f2bf6a51a85e9",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     name: "ListNeighbours+WRAPPED+PERIODIC+RELAXED_PRECISION",
     entry: "ListNeighbours",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 122184, bytes: 20128 },
+    spirv: Spirv::Packed { pack: PACK, first: 123668, bytes: 20340 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "6fd87037b65c806abce05b9429d4a72be351513c80c4d7e990ea6704fc5b59d4",
+    hash: "eac8a8636ce0ec5be27a312cfe05ce4fd981d42aac94fa2d8a6108a7f016756d",
 };

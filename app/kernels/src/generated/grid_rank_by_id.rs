@@ -80,5 +80,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "1b2ff9f80cd34f18593b9d73abe1a3794ba38637c0bb494a23bd0910ab792434",
+    hash: "8e72e384c2aab11aefa2d710faf130ad9601074b35a66b2353203290353316be",
 };

@@ -159,7 +159,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "d0b1274f4a10b01a08817578a92ff976a196e96b509eaa2634d6b0a953e53563",
+    hash: "ab01c578e424e67c219df4ce97000aeba491cca9112bb6c50f54e8d63decdfcc",
 };
 
 static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
@@ -172,7 +172,7 @@ static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "2547d3d921f791637e383613988ceb75791eb1a1269510fec923936a7727aa8c",
+    hash: "5fe73fd1ba96486feeff82c1d57f93d3cc6cbbd4104f3c83de299d64cdbd810a",
 };
 
 static REORDER_WITH_POSITIONS_ONLY: Module = Module {
@@ -185,7 +185,7 @@ static REORDER_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "da7e86a113d3ec55721fa4f5a8a6715d1e3eb471512e44b9968def0904b14dc1",
+    hash: "05bfa740950333cd80d99ead401cb2ed9e36757878c29a29961bd4c0017e3d99",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -198,7 +198,7 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "48664e185aefde4c3957ab6ca61257161a732941fbc4123d244ea7e650f0a61d",
+    hash: "2d9cc2bef91c9f20c4bedfeefb05513055ebcd1bd6740d4f9a20ebd5609987a9",
 };
 
 static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
@@ -211,5 +211,5 @@ static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "d80984c23c4242e72d4340eff9525f8dce60447f2fdbdfaaedc5b9f64b1aca21",
+    hash: "600526e1281edd94e173ba2de5e5935e8cdc752b82f0d8d61a70afd6772e748e",
 };

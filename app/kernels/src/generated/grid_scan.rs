@@ -111,7 +111,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "1ed924bd24265a94e868b184fd75805495f83a6ab5d731e17f4efdf93107c029",
+    hash: "7be17c78c05de2bc2b6dc1545ffab07335e409af4cb7e72d34e16bc4a9e12b0d",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -124,7 +124,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "25857d5e78dfeb3ef8eb584dd18c3db6fa7174ac6db21d4ba646a42afa9e680b",
+    hash: "82c05b48cf78ca13c082e5d3bd1254a20057c33afef8bc4c872741e6c05dbd8a",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -137,5 +137,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "38894444323891726207630f86b87e502475029ed23961a70a5bd55f2db58ade",
+    hash: "4790daf9893f901146befb1f581577a8fed87d20ad4554cbf96900c6d939c448",
 };

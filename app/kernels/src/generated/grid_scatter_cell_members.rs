@@ -68,5 +68,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "e75f47cebef81b025d3ca3c3be48c75b6e6dc9e266998e4a28fa67c898c3f0ff",
+    hash: "8bfa92c55edd54b5b17ccf5687cdafdd22c47fc46f5dad02f5ea087a72ad78a2",
 };

@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5bcad2f912da86db812f4fd6087327c3f073296ad8b2a6d79e7bc052561fdd60",
+    hash: "cc24fcac0736c0506e78f59b40ed42dcc1881042390c0c3c70831c0fd16b4777",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "3670be4f7fa250d785b29a975b1e6bf71d8cd6f81ac35af6aa2c40649eac3b83",
+    hash: "965474ff8e177a04578880ee42ed50e3c60c31598797fe4c1028ba330de4c940",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "2f1a34bda6ddaea6af8de971f18b9ed7c4f9ed9e6056867d9bfbe86b61e3b3b7",
+    hash: "b266077d93f7038780ac4c4da37e7773825fd066dbbf35ffbb01dbf0d3afc883",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "dfddda979331fd1b354158c3d3628f7592e59b959a2bf982392cad71e227cfc4",
+    hash: "d5d79325186e41caaa307b2708bd97d162dddeb3ff4a1492558322af24574af9",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "df3667645b204ecfeea74ac5643c6f0ad085e463aa70f9a8b129c06933df3403",
+    hash: "a4eaa1fecbde1c190fc36aa18f0d4feb8e9c4e646e02cbd943f32802ce7bde18",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "b53c5b902c35a87df170110dfd29f5fb84694afc705ae88fd7881487b96871f2",
+    hash: "17d62eca69fc00cb117a4fbf2e536854413c8a49e1a6d0ebd5d65eebd433e1c3",
 };

@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "2fe043bd83e4c962b8150942bbcb0a40a3f7350ae18d7bc04db097117fa500c0",
+    hash: "0acdc5f4aa1ff672c17521d272f19e91b0e8fd0466df2f8bd11d8cda9c965fa0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c76ef0dc931baf1947964a46dd03b00536d07f82ac293308488cadfd766eca3a",
+    hash: "a5400dd847b924e24194c5ebd32824c36c45be41d54256484e80a0733be60158",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0901e21b4d3890b36477d754b6c3774b2c82d823414381fdeae0136f69eb1085",
+    hash: "a5533e8ebc58f994f483f8ef5134876dfdf787a3f7fd0ea49bc8e96c4e6340cc",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "6c68840460dc7c0133682dfa1282cd5f874d8a7bc04e32a5840a083f2e8aecb0",
+    hash: "d8218991ecaf56e519eae6371b928ad7fd52023bb18cad3334e74cf8238d9997",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "09914c7672715c89c8c85dd97a4e547998c318916f69549226963dbbb0019a3d",
+    hash: "17acb68fa475f74234918795475e14b81015c76a4b877886d6952e09d263d552",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "6eb8a29ef72ccb8e4a80b0d7316bcfe9b1a0ff522d156526c2b5faf765ea43c0",
+    hash: "949e32075964532f3f988ec6c429b136b8eb8f9b2c225a703a980902a5cafed0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "5524efe8931a32ec4f661aae82c8a60779cf50209598664dd71668c2a6b11071",
+    hash: "3373fc3fe54f6a7bb5bf23dad1f5d1ffe9e5e9de4b145f628bbe35424b8af967",
 };

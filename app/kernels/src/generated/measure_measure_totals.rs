@@ -55,11 +55,11 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 },
     },
     BindingInfo { name: "histograms", slot: 1, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 4 } },
-    BindingInfo { name: "counters", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 48 } },
+    BindingInfo { name: "counters", slot: 2, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 64 } },
     BindingInfo {
         name: "measure",
         slot: 3,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 128 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 144 },
     },
     BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
 ];
@@ -70,11 +70,11 @@ static MEASURE_TOTALS: Module = Module {
     name: "MeasureTotals",
     entry: "MeasureTotals",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8936 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 9148 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "c887f79f316ef66226d825546f85ba96f90c9a475a3e823d6c219e17b191b698",
+    hash: "a1784d58ab163a7774872040289004340a476dedcebd988c1569b6d220f9fc88",
 };

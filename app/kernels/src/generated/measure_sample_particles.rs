@@ -70,5 +70,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "7ad9258859cb4ba690d525c71935f6ccb51c4a842c47ff86b94069afd6c66f5a",
+    hash: "586b159b2f7073c8d269653d8d90b618adb0e94d6a36440657cd7986c38491c0",
 };

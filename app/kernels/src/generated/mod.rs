@@ -15,6 +15,14 @@ mod boundary_solids_layout;
 mod boundary_solids_mark_solids;
 mod boundary_solids_move_solids;
 mod boundary_solids_sample_solids;
+mod diffuse_advect_diffuse;
+mod diffuse_collide_diffuse;
+mod diffuse_count_spawned;
+mod diffuse_crest_normals;
+mod diffuse_diffuse;
+mod diffuse_foam;
+mod diffuse_layout;
+mod diffuse_spawn_diffuse;
 mod emitters_compact;
 mod emitters_drain_particles;
 mod emitters_emit_particles;
@@ -143,6 +151,14 @@ pub use boundary_solids_layout::*;
 pub use boundary_solids_mark_solids::*;
 pub use boundary_solids_move_solids::*;
 pub use boundary_solids_sample_solids::*;
+pub use diffuse_advect_diffuse::*;
+pub use diffuse_collide_diffuse::*;
+pub use diffuse_count_spawned::*;
+pub use diffuse_crest_normals::*;
+pub use diffuse_diffuse::*;
+pub use diffuse_foam::*;
+pub use diffuse_layout::*;
+pub use diffuse_spawn_diffuse::*;
 pub use emitters_compact::*;
 pub use emitters_drain_particles::*;
 pub use emitters_emit_particles::*;
@@ -271,6 +287,13 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         boundary_solids_mark_solids::MODULES,
         boundary_solids_move_solids::MODULES,
         boundary_solids_sample_solids::MODULES,
+        diffuse_advect_diffuse::MODULES,
+        diffuse_collide_diffuse::MODULES,
+        diffuse_count_spawned::MODULES,
+        diffuse_crest_normals::MODULES,
+        diffuse_diffuse::MODULES,
+        diffuse_foam::MODULES,
+        diffuse_spawn_diffuse::MODULES,
         emitters_compact::MODULES,
         emitters_drain_particles::MODULES,
         emitters_emit_particles::MODULES,

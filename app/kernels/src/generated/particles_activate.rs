@@ -95,7 +95,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 0,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo {
         name: "claimed_state",
@@ -117,18 +117,18 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "25f95ca526b5098fa52f1cee10bc9d137405daec3a7c1bb83845967f7f6cb288",
+    hash: "d0ce9248ea32505d8ab1d6579717741926a2e8950cec8199315c87cb363440a2",
 };
 
 static CLAIM_SLOTS: Module = Module {
     name: "ClaimSlots",
     entry: "ClaimSlots",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 3540, bytes: 2852 },
+    spirv: Spirv::Packed { pack: PACK, first: 3540, bytes: 3064 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "fb37a63494ba0f30b9632445744fd874708f35da32f5334342c70fb8e2d039eb",
+    hash: "81879016221eadf9a196b767b202b0a59a33dd2cc42932f7307bfee9a4919367",
 };

@@ -99,7 +99,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
@@ -124,7 +124,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 3,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 5, kind: BindingKind::Uniform { bytes: 96 } },
@@ -137,102 +137,102 @@ static ADVECT: Module = Module {
     name: "Advect",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5292 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5504 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "b34e36c27405064e688594b070a1271b4f673585ad81d3c7608ab605ab16ae53",
+    hash: "f9c1f4e20e67b3a8495783fe7accd00c39ed7434ff67a5def6158eab368b14f7",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
     name: "Advect+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5292, bytes: 6276 },
+    spirv: Spirv::Packed { pack: PACK, first: 5504, bytes: 6488 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "962ad591c013e0c529da73045dfad66abb93028d68bb83adcaec169db79edfa4",
+    hash: "6eaa1279e7949a6d860278d5c141ecafeaac4101ceda5f9377f3a318846e734a",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
     name: "Advect+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11568, bytes: 5792 },
+    spirv: Spirv::Packed { pack: PACK, first: 11992, bytes: 6004 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "c6e7af1b5a9b753cf0b62b2f1b37fa438797bd7bc4cc282bf3e0439eac95a110",
+    hash: "a3059794e38b2dccfaa1e5c52baf9f743fd85d4526fb46240f71a91ac1b74a50",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17360, bytes: 6760 },
+    spirv: Spirv::Packed { pack: PACK, first: 17996, bytes: 6972 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "3fed198bbc599295f4717dee564ae42e3016168bfe56e1591d01458ce23bb0c2",
+    hash: "318ea79dda6a290f667e41fb849c5d2eff15df2390e634c9dbe4d6e5c6c2148e",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
     name: "Advect+ACCELERATED",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 24120, bytes: 6260 },
+    spirv: Spirv::Packed { pack: PACK, first: 24968, bytes: 6472 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "2c9f39500ac5f2d3f10193a49a18af609a6e50a87345deea8f805ec1c3827a2e",
+    hash: "96d02ac1ed643185c05091f903a938e629bbe1a611a4e6091055ab41eea9a8fd",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 30380, bytes: 7228 },
+    spirv: Spirv::Packed { pack: PACK, first: 31440, bytes: 7440 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ad10fbfa675f4b0cca0f0cf27f2a89d56a2b4427ec4a82cb8a919b8619b6b6ec",
+    hash: "4e25f785fafb7ba9c3ffd2026530e8557e1c98f60c947784d6174fbe8311ff82",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     name: "Advect+ACCELERATED+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 37608, bytes: 6744 },
+    spirv: Spirv::Packed { pack: PACK, first: 38880, bytes: 6956 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ccd8aa4b51ce6db830341464793812a8e4b3e2e2ec604149b1c1e6b9ecdd9b08",
+    hash: "a14365d67f087c98a970b9058c66e727bbaa83be5ac2ca9e469f2844e53990be",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 44352, bytes: 7712 },
+    spirv: Spirv::Packed { pack: PACK, first: 45836, bytes: 7924 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "a7bc606ca684bb00fc43db73583b44ba3d15c05381ca9940ce52bdbe6a516996",
+    hash: "049cb3c6ab9b8be9db6795fc53811a7a18e72a829932c6d6cb907178d28825d9",
 };

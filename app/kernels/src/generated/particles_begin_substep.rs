@@ -53,5 +53,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "ef318714284c45782d3f139dd76947a91cc2c48dc6f5ff7979f512acc0bab1f2",
+    hash: "617d4e73a1609ab280168202f16efbcb4efe221839c9124862edff881df822e6",
 };

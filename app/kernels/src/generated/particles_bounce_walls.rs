@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "442119e2ce3e27cdeeb929304d2e7d3fe5c6fafd35818c86e3f0a4f0e3ae534c",
+    hash: "e58e02b48bf50cb306ec5c64805266509f6d5fcad8a893a6e96773fe24177979",
 };

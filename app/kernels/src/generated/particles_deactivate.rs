@@ -71,5 +71,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "ccbb3635da4636a93e35e3b2c706ac5ff4ab73ee6fe5531b3fa4b2f47bbd3850",
+    hash: "7d904356522cd44dc88a57358e59777921ff1d3bb51b12f62e8aa0aae1e736cd",
 };

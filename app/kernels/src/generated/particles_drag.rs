@@ -69,5 +69,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "e1fd5338ebb6e92813f2754fd839b9f05b95ea0ed7dc9701ff4f5e475488e929",
+    hash: "60709232d8d18f1be1200cae984d313619d98d727836520f77d8d047206abbea",
 };

@@ -48,5 +48,5 @@ static END_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/end_step.compute",
-    hash: "f7d05cf4471ee62a05e532953a0ab72b3ef0e03121bda679183e9f9d5f7d1d87",
+    hash: "14b902e03cd607e1e3a83123e003cf48a7605a392dfc5d8eb52dca6af970917d",
 };

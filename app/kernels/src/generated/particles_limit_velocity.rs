@@ -57,7 +57,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
@@ -69,11 +69,11 @@ static LIMIT_VELOCITY: Module = Module {
     name: "LimitVelocity",
     entry: "LimitVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4428 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4640 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/limit_velocity.compute",
-    hash: "8d47c49789d429738e1618492fa23e26f36fbfcb3d32f7b64cd90d0e845bf43c",
+    hash: "a107e2a3b5b5bf5cf8d602ad0a5486e36bffd1b66de1fa2ffb57964a16a33fd8",
 };

@@ -79,7 +79,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
@@ -91,50 +91,50 @@ static PREDICT: Module = Module {
     name: "Predict",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5384 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5596 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "c97ca13adce403e1376511420596f08e097d588bd964ff1185019e1988a2e0c2",
+    hash: "2c2baafd4e0e618b5039cdb8accd5aac35b06c55f6bc512372e32baf2fa75017",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
     name: "Predict+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5384, bytes: 6352 },
+    spirv: Spirv::Packed { pack: PACK, first: 5596, bytes: 6564 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "4803f68d3f6e65a95523094e192c41f61325baea6b8ca799a5ce6560a99a9f4f",
+    hash: "47c6a5baa59452ed06caa667cf845bcaf17787354849e66126accfa135269f51",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
     name: "Predict+WALLS",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11736, bytes: 5868 },
+    spirv: Spirv::Packed { pack: PACK, first: 12160, bytes: 6080 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "a7322b2d2f74757bf1bc601aacf0ea6e4e0d531b6a1fcad739e0f7eab024f828",
+    hash: "ebf620df4be7ce12f8c604d1942e327de6a40ee3bff236b2f01b4c5c76a35324",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Predict+WALLS+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17604, bytes: 6836 },
+    spirv: Spirv::Packed { pack: PACK, first: 18240, bytes: 7048 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "41bfd134f51f832e2a3d12cd83c11124b72184f5a29c0683f4e47cb5ded711ad",
+    hash: "58b27281ff4dec67b81b14efae1a78b5d1b6f3890846f63bf22ec0a15b64c55f",
 };

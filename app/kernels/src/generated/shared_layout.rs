@@ -485,6 +485,14 @@ pub struct Counters {
     pub unsolved: u32,
     /// particles whose slots drains emptied, or the end of their lifetime did
     pub drained: u32,
+    /// diffuse particles (diffuse/layout.hlsli): that took a slot
+    pub diffuse_spawned: u32,
+    /// whose lifetime was over, or that left an open domain
+    pub diffuse_ended: u32,
+    /// that younger ones took the slot of while they were there
+    pub diffuse_overwritten: u32,
+    /// that were due when no slot was left in the step
+    pub diffuse_dropped: u32,
 }
 const _: () = {
     assert!(offset_of!(Counters, neighbour_overflow) == 0);
@@ -499,7 +507,11 @@ const _: () = {
     assert!(offset_of!(Counters, divergence_iterations) == 36);
     assert!(offset_of!(Counters, unsolved) == 40);
     assert!(offset_of!(Counters, drained) == 44);
-    assert!(size_of::<Counters>() == 48);
+    assert!(offset_of!(Counters, diffuse_spawned) == 48);
+    assert!(offset_of!(Counters, diffuse_ended) == 52);
+    assert!(offset_of!(Counters, diffuse_overwritten) == 56);
+    assert!(offset_of!(Counters, diffuse_dropped) == 60);
+    assert!(size_of::<Counters>() == 64);
 };
 
 /// Sums and extremes of one group of particles; the last stage reduces them to one of these.
@@ -571,7 +583,7 @@ const _: () = {
     assert!(offset_of!(Measure, reserved0) == 72);
     assert!(offset_of!(Measure, reserved1) == 76);
     assert!(offset_of!(Measure, counters) == 80);
-    assert!(size_of::<Measure>() == 128);
+    assert!(size_of::<Measure>() == 144);
 };
 
 /// A drag through the fluid: what is near a ray is drawn toward a velocity.

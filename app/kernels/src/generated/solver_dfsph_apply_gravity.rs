@@ -67,5 +67,5 @@ static APPLY_GRAVITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_gravity.compute",
-    hash: "e9dc615c94f8d2bf39e41c64eb72cc8d89546bbcaa16901d17880eb3819786a1",
+    hash: "2b1fa859a6b65980212d9504796d84d4ea5661cd6b8655abbcfd2b7c9c4089f1",
 };

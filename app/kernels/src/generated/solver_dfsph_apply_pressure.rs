@@ -221,109 +221,109 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "c25b88970a8ef62b0b293d1f8c23a4f3035adc5a56bb3099443ae85c755f03bd",
+    hash: "2c07c204c3df87655326d213d0d6fdf161778e58b57e621e72548b260183c05e",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     name: "ApplyPressure+RELAXED_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 8356, bytes: 7804 },
+    spirv: Spirv::Packed { pack: PACK, first: 8356, bytes: 8220 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "eb1307ef7b8efea55331896a55d24fb5a685a77fb146b80d8bd70db38f5aa1a8",
+    hash: "316d3ed025764f037322ff9e387b245162dd7626ba73b6dec1cff173f21432e4",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     name: "ApplyPressure+HALF_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 16160, bytes: 7884 },
+    spirv: Spirv::Packed { pack: PACK, first: 16576, bytes: 8300 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "6b3f8a0b32bd1366b5c8c7ef75aa6b22eff23bd0b9cd47594eb086042f7d919e",
+    hash: "843348c0dd89d9d182367170799fb7a3fcb6527bccd74e890817420ffd7ced68",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     name: "ApplyPressure+WALLS",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 24044, bytes: 12112 },
+    spirv: Spirv::Packed { pack: PACK, first: 24876, bytes: 12112 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "df428672a718614b55625ca97d911a918866305fc93e9b80d7a2a533e3d9a40f",
+    hash: "b0a83d2951e05577704eb8bc82f1b546e8bb6c89b0ea7939dd8ce1e0e4d208d5",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ApplyPressure+WALLS+RELAXED_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 36156, bytes: 11508 },
+    spirv: Spirv::Packed { pack: PACK, first: 36988, bytes: 12004 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "17f28d4078748c11343fac3629972cbcda5b849ea14cd7cf60b5b19731a89bb9",
+    hash: "7268e45c2943e067cb757136c0940996a96ddce0f8230a5d78d98c5366cd09ed",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ApplyPressure+WALLS+HALF_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 47664, bytes: 11604 },
+    spirv: Spirv::Packed { pack: PACK, first: 48992, bytes: 12100 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "7e50924405fbd21997c5d36fef5246b8ae198b2b6abd206740f4d58294d0f53a",
+    hash: "4375a68df77db8e9957b6822bef9c70fc6ff7ddb21a041239036f0c56e53af1c",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     name: "ApplyPressure+SOLID_WALLS",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 59268, bytes: 15760 },
+    spirv: Spirv::Packed { pack: PACK, first: 61092, bytes: 15760 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "7616dda3f0eaaaa41579addc29564e41c1257509163692b5c951cde02147cb0b",
+    hash: "9a78c103549ac04ce53910a16b9d7a4bc6ef4fe11a9c89613654c2b0c1afb44a",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ApplyPressure+SOLID_WALLS+RELAXED_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75028, bytes: 15156 },
+    spirv: Spirv::Packed { pack: PACK, first: 76852, bytes: 15652 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "52b5bb38fe2e4e20cd89940bf0eda143617bde34e287488aaf293be9e6c374c6",
+    hash: "a0146bb34a40e057b841d08f6285d2ae12334b01faa21718ad22be2de18b65ee",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ApplyPressure+SOLID_WALLS+HALF_PRECISION",
     entry: "ApplyPressure",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 90184, bytes: 15252 },
+    spirv: Spirv::Packed { pack: PACK, first: 92504, bytes: 15748 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "d6d34100d5c62659bff85c766d9763a1b4b80156e37bdc03a82600710f56c2c2",
+    hash: "a2ad69ad66f10ad92cebf5cc03978f34f137d29678a4d2a58714a2bcde49b03b",
 };

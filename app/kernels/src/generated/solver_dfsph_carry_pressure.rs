@@ -82,5 +82,5 @@ static CARRY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/carry_pressure.compute",
-    hash: "f251ee3f0439667f2a8ff6bbd0e7456a12ed60ffffda61a9cf2e3198f746f977",
+    hash: "2974cb55a81a4e7c551970f944bccd3eac417f422f3521382d6f5a957fb25354",
 };

@@ -145,7 +145,7 @@ static RESTRICT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/coarse_pressure.compute",
-    hash: "bc10e43946f9dbe863e98b9450d8ed0a760101a4ac2a6d4b1cbcd05cba7ce613",
+    hash: "ea99a9f5db74abe853240e77565d3479361ae024f72d4ca32ff49142a64ba00f",
 };
 
 static PROLONG_PRESSURE: Module = Module {
@@ -158,5 +158,5 @@ static PROLONG_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/coarse_pressure.compute",
-    hash: "e63eef77ba2a22408ade7acececada7b84c49558fcfb8386fc4ccb3d76ef7577",
+    hash: "28535cc1622e31386fd68bda887996e6888910c4c40c690896797a979a1c2007",
 };

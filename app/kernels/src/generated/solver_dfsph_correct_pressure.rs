@@ -214,7 +214,7 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "604759545cf4ef5660c58e2977d3315593f59abbf7d3199ad42197bd7a79f819",
+    hash: "da5214ab50b99f33c06641535d770e8c4e75efe811c4dc9abaf5a2565d9b84ba",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f5f07fcfe871bc5cf1ab13406833fb0e80cc22fb1de889109a0834cc4f781a68",
+    hash: "d068a42f66131bf07caec8cfbb8bd660f8af4460479b68907044b90c80cd4c0d",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "fa4621f5fdc5350f3fe05de7c2102a8f564972c024328f285423a53a59357f42",
+    hash: "b3593c71fafd771e1d2d56cea3a9d1739c30d4053be3c1851fcd45ff3a1b30dc",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
@@ -253,7 +253,7 @@ static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "bc9368c280a4159ec53d1366d0aa5d6afeb3346b2d6505138a502728b4bd5f12",
+    hash: "11ca2b687a9b62e36cf7a3e58dfeeab154ae10a8edb1e42293f015777a4bc422",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "752919be8f8d9272ebc1b282426ac143dc57e203fe903cd46dce8cab0e911d86",
+    hash: "19e597a6de0c65c529d7e06a74f3535b2362888ac23a19bd700a9faea5ca8a59",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -279,7 +279,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "96bb5f71ba2ecfbcf9b66174def77e17274021f86b47bcfd12fca1e01b5c6c5b",
+    hash: "abf7c675cbef0ce02b2e721dda686c35067b7a623649f61dab70af05eefe4fd0",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
@@ -292,7 +292,7 @@ static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "3ba3e5edf6abd02d151e5d9adf2705c9c535e30253622870eeb705c2d89d48e7",
+    hash: "841abfb027881d28cc02d1f3c5305c947c7dad8424ff8e30bd9c00a5da9c293a",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -305,7 +305,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "512331a9ebd23b3c1120fb4231601c45e431189d025173582e98dad7d7716614",
+    hash: "4684060bd1f36e6742a650fc7672964189b30c5657c9700977b3a593277816b9",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -318,7 +318,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "24c1416c95f5e6f7bcf1a7f2f48517d5b0596f94c0a54a46de32e2461a7bf9cd",
+    hash: "797a79d95d4ce3e85332d8573fde06a0253bed9aaa01585a0c7451e8983e7f06",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
@@ -331,7 +331,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "aee1f4eecede4a0ec2a7fb75bd26349ee07d893a90708cb831a1b56131f37bce",
+    hash: "29858c6c0cd7b7f6eab5f136ef415ef060aada4d00547b495340cbc9ee1ae28d",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "0514f8fab6e221932dcb0066fc8ecbfcb868371fc4bf2f3f57679e6985193096",
+    hash: "733cba6b1e6d9977e05c1350328c67740cc67e260f9a31862be038b798a63500",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -357,7 +357,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = M
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "3034e502d8b0fd9929e35df85f6b39a449799a686c1efdcfdc61005b4ad60b96",
+    hash: "bb2c15b69c958e2e96c1d788d6bb981ea39c788c7cd47c8b72252d3b7ab9d757",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -370,7 +370,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "72e00382e51c0053c5941b36113b7dcd136154f54c7ac022195b2743692c49c2",
+    hash: "eca90d1178692d78e4774d7d392a42698d59f0e4e78afd9b9e571b4cf0a1dc89",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -383,7 +383,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "2f4cc00c8f858a50c4a516703c54ae3417da50d15dfe745ceba53c00bb5444f6",
+    hash: "e060909256d81c34baa5aeabb5624c0ad19099150e3c4943199d93216c60f106",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -396,7 +396,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "91629e14cdf0a39e2e5eb10d3de06a981f4ac8573880aa77f45c485a907f5ee8",
+    hash: "d980c7e1cc5c63fedbadb8cfbc6583bdfe24875981c885eee6ad75b82a957c7e",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
@@ -409,7 +409,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d542ac7793a2272612b06a9de60fc25a648517c823f09ebeb5d4901761751d33",
+    hash: "2b08801ee5b3af09729c7c46aaa20e85766618ad4eaa26a1355abf635a1e97b3",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: M
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "6830019514d183775846e4eedc1c81b2cfc9a926d14cecb35300f9cf38b73119",
+    hash: "282aa4b04e421f3a1803f5937402682b3439647762bc9238c23c8da61351a93e",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -435,5 +435,5 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Modu
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "03890c7b886c801063f4aa46d2903ecd71161a7f5eef2a0d48610f4198289a94",
+    hash: "8b285a71992cfa5e752f72e8e97de90d0492b9dcb802d0d83d645b15e4580154",
 };

@@ -184,7 +184,7 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "55a3478eb38dd051ccd30372bcf17fadadeabb04d70a94bbee6862544b26f350",
+    hash: "faff000d15ea36609051bb7c3619dfc9fc2230656ce0ba39028f257cfe22013c",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "4a4d675c4887fc3e574a7ca5ae89f52a9b12ad48b478b2c75736e22268e4afdf",
+    hash: "1f0bb4f48d5a4b1a01eada2c475e849ddb04cb3a386d9d703a1f52bc3406674d",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "0d741b0e81c5bb472abcc11215fd0f67cf2041f960e30ffa34f95719e26eecee",
+    hash: "f97ef2cb08ed79dfdf3ac8eb2944b9fb29f6d7aa01930d4c0e22a311075c73b9",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "94919daa902e4c19e72297333436419c549b75b9cfc9929f8b8a7c6ed597da2d",
+    hash: "577543d77c524390930843cdfc8e86cbf85e1be788875a01c88789454c2513a7",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "dac0fdfc01dbec3b081549b00f642235cf4b2cb5362276579adcf5ac1e722928",
+    hash: "a4a819be136a8510369aa9f920a292ec6e44fea3807cd8f28793bb3d264d0c8b",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,7 +249,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "07be9b5344a507f9718be06883a7f3cf5537f462b898483e22c2e5cb84dd931d",
+    hash: "c1ab1f99c345739c6363b1baf8d846f2c637721aa1d8d8041fb44544b99b068e",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -262,7 +262,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "ede14ad13e9a68a92d81007d6d1c9a094cd402056b1660cc9fcd665c27d45fe5",
+    hash: "09dc69966aa1550b8502a97b4b437494360a76dcb1f70e2513100020a2195077",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -275,7 +275,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "4f5b09790e7463e7c851cf7e2b32117cd5c3349b1c0024eac3f0eb586e0d8238",
+    hash: "cb76ecc314fda8db4739ffef66ad9efc9167af9dd2252d1640b7e7af26be7d71",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -288,5 +288,5 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "fb48a4a7161932d3578d90ef0e28f8e000a5eb1c52e275a9ec029be31420ac7b",
+    hash: "c6cf3296f9e1ad4f50297b9c986c643e85198a02dfb9c5d1864b284dc32a892d",
 };

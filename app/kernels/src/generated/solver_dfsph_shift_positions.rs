@@ -100,7 +100,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
@@ -116,7 +116,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "solids", slot: 3, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 112 } },
     BindingInfo { name: "solid_poses", slot: 4, kind: BindingKind::Storage { access: Access::Read, stride_bytes: 96 } },
@@ -137,76 +137,76 @@ static SHIFT_POSITIONS: Module = Module {
     name: "ShiftPositions",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4576 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4788 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "bd718c3a7e71ef8d4b3045dd2d888849e9b10722da5e2e4c7c303a945ccd4602",
+    hash: "7f89845b880179f06a9f6257e18444a28058147344ab4878afddf3584da4857b",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 4576, bytes: 5560 },
+    spirv: Spirv::Packed { pack: PACK, first: 4788, bytes: 5772 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "ee448d4e0dd616643806ccb0716f32d66d6febb1670df30b6a8e82fbdbc2e38d",
+    hash: "7e82b4ea26642d0853d5b4aa2a8dfb3014ad51f399ed6bb1e248ff75f4df3846",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     name: "ShiftPositions+WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10136, bytes: 4828 },
+    spirv: Spirv::Packed { pack: PACK, first: 10560, bytes: 5040 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "00bc4a2c1575bc6b257294ab42bd77d8e347b71bb6774cef142897cc9834d595",
+    hash: "10f63d6a494ac5679edad7573e58ab81e47dca5321f3451cb63450158a32187e",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14964, bytes: 5812 },
+    spirv: Spirv::Packed { pack: PACK, first: 15600, bytes: 6024 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "8b9585ffc9ea49dfe9045bbee784ef8e1416116604687a6e7f2620386c3ccc17",
+    hash: "c619bcbf74dfc151d2d71f871ae3b1ae583d1875eeacec8308af440fad6d48cd",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "ShiftPositions+SOLID_WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20776, bytes: 43888 },
+    spirv: Spirv::Packed { pack: PACK, first: 21624, bytes: 44100 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "d18a63084060a600cf1e7898e0adb44ee1e6cab4938e56f57a5bb16b0433cd0d",
+    hash: "8a15f870435f39be00d51d6862bb1212b9eda6a2aa5b64d9671748960eb32010",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+SOLID_WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 64664, bytes: 44856 },
+    spirv: Spirv::Packed { pack: PACK, first: 65724, bytes: 45068 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "eb63c55e4712adae54dbcce0e0ff832a4659ce83f1857d93745196720c4576f4",
+    hash: "262a643148ca6df85709f08370a2c563c5e0f0d2c8acaec7eda2a610a6e57399",
 };

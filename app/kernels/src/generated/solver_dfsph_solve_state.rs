@@ -92,7 +92,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "solve", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
@@ -110,18 +110,18 @@ static BEGIN_SOLVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "9ef648dcc1e0da46414efd4cecedf780ca552ce75058f03df2730616f0af0bc7",
+    hash: "147271d200baf2d4b63914b9b7aacbd6b4bffe868965b6f435d8a4e17ae42849",
 };
 
 static END_ITERATION: Module = Module {
     name: "EndIteration",
     entry: "EndIteration",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 1596, bytes: 5904 },
+    spirv: Spirv::Packed { pack: PACK, first: 1596, bytes: 6116 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "f635f50bf54a21f01566c6e20cd89981fe075e8fd1c47ef61be48434955be339",
+    hash: "dd2e9b10eae3ab52f1b6a2ff4c44ba79528e2f8abdd935b18cf0230841ae71b6",
 };

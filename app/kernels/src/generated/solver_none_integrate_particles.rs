@@ -86,7 +86,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
@@ -99,50 +99,50 @@ static INTEGRATE_PARTICLES: Module = Module {
     name: "IntegrateParticles",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6596 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6808 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "64883e7d138ea90e2b44b4a52a4350789433966ffbc3e950fd7cc1308c7842c6",
+    hash: "cdf21331d42e2eab00c7e9a406ae8a6095d4245b34f1c97ea13278abaa054eeb",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6596, bytes: 7548 },
+    spirv: Spirv::Packed { pack: PACK, first: 6808, bytes: 7760 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "03b61ee610a42f44d7b9c77162a0555d15ad0b92b8fc58110cd07f26ee811131",
+    hash: "8bb4b40c614a71da9b9eb4415f34f41712dee9e80ff78a83028ee0bd3193aa3b",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     name: "IntegrateParticles+WALLS",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14144, bytes: 7140 },
+    spirv: Spirv::Packed { pack: PACK, first: 14568, bytes: 7352 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "b1d866697ab69d667af021b274fb050a03404a0cca33d1345a4a02b0a423f93c",
+    hash: "319e3537971accded710d2446b7ba588f206f223c3f65f772ca0e1b1773c5f28",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+WALLS+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 21284, bytes: 8092 },
+    spirv: Spirv::Packed { pack: PACK, first: 21920, bytes: 8304 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "aad5f1956fc1fb1ab3acccc851e216fb027537d3eee90807551e8e8d9b30196a",
+    hash: "45935c54a5eb2ba57494791a4d52cfa26b752d71435a502f02c12d5e729a7f52",
 };

@@ -63,5 +63,5 @@ static COARSEN_CONSTRAINT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/coarsen_constraint.compute",
-    hash: "bee6e76febb244e50f3f161a76381802e99eac32d4dd047b6b96c43fae750b9e",
+    hash: "bc3efe7ea6f90ff709ed53514804550f93375fe1351e18a2099466ec1668f380",
 };

@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "81196e52a6ceafc2b1bca6024d5716ee6e97e34b68e656d8a836cd55b5bbb9fd",
+    hash: "3906823bd36cd7bf1813d3f985c0d4b4740a4316eaef17ad8b7802b1d736ddb1",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "033625fe405995a6558040cf6c52d32d0516adf80174bc6c4b40749a32b88985",
+    hash: "611807e704d92e887424161a695b649a92d9166a08540565f081db886f849beb",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "49e054e366d585a5ad1d89e997a2eef099018e1a1767320b9c64bb3eadd91d12",
+    hash: "a427d2b653b6b9a04835b57de8ef205883c97265268159fa86166d630224443b",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "40821caa25b2b3a32e14b50620775e3210b188d1c77f79f21c4cac67567b2afa",
+    hash: "f5b76b3e7a559246739aefce6a9abb8bbb0861b2812b800948159ae1c4ba077f",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "10f782dbab6220f826c15cad0b548c700ffae08010f67b8b574f1ab666ab6e60",
+    hash: "131060ec1f1aafc5f3a9973a5313f8e1870c5470a5adff6aa4d67b562de0fe6f",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "edf4df872e4a301630c42c6717a78e30674e4f2722b4e62d3ddec8fc199e46ae",
+    hash: "bb70b0ef4476f1b6a63d7d8c65f5e2eb22b9547fe8629923b35e228f5023d41c",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e5a5c8d03360e77e5b98d71d91e0c5f7c6b71c157282089d562075c3ca31df63",
+    hash: "2ff4275e8e717e95cb86f2191b7c3655521ae608fad7628159e20351fd115628",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4a149d9cdb74365464e00f88a3edc5d45589a5a862802c6234430191b6cfb02d",
+    hash: "43581ba79ea2e7c64835a0e3bbdd377d1c81024c517f61c6f4d39b39176f76d2",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "97e310eae5aa3241e679faa6bacef844403cacb69d0aa25f96b80859dc2911fa",
+    hash: "3d3b51452d83d50ec7280d75d6068c7a94db3af6f2dd6d49aa3dcde4d82803fa",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1f1485367473b3783a255aa7680a72e305edd8b7d8072f6460084581dddc5478",
+    hash: "5f12bdecca4a893c15075a8bd2ebaaff516d0fd70f96da48333bde9e0387d3f6",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ed4497dcb17e8153759c9dd4686392bb76655cff1c99c93a9630833de52736c9",
+    hash: "899567442a6357856f12e0744d7250d4d14bc838b92dcd80f222718a3d78325d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1ef165b85f238d3d965265362bdacc6dc057c57a75c76df28a8caa1280380fa1",
+    hash: "48bf27ea31f5a7028b4e7135dd944592d9371e629046d0b6d14aa5e2690652e6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4702942844a070006c916e3f8e9069bcb6314c492ecab4c6fabfd726fa7794c6",
+    hash: "6d1b0b546c5be7bc452db73bedeb47edfe518104b9dede900ea1f4b12ffedaee",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5da42b90c3061238d4780c976977ca38895c3ecc46b4a8415fc173849b587c6a",
+    hash: "a08dd78a5223cdfc21aaaf196e2e82d12bf93664947d77bb2cb763b2fb01b080",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "44b710970fc805c7e98c46b4dfe2ef07ca1f4b170de9f7f5f26996d17dc9b1ae",
+    hash: "fe9f9efaaedfa24184e802c4704aee6ba18e211bb9e726b0ee71e3bfed48af6b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "153c7490dac208710a216017e45067ab92d7ef6b62038fcbe8360782a375616c",
+    hash: "b334dfe4c6cf2701381213f3a12c2d152169cb5bcfe1c5391045564830c3ca9a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1bf0191265ca5a2c6561279ea530d0478dbc8ac9283e616a1608a17bccc29147",
+    hash: "3cf7fa4e2fb26b48c77dd0a4875dd5bef42f65d85046bf163fb4ecb0204026c1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "de7dc3d5df0a09147d2e87d1e6ba0697ef0ffa1a90513c313f28c93008dc7815",
+    hash: "97fca44818140011bbb4ec06ace48f816b3ef61c7a43adcc5e727904739f6ed6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a319b2a43dbbdeda8599793cc145d41524f62f2a1e29e11b81fe21cb784b1db6",
+    hash: "fca1ba375500836cccbff6fd3f582b8af0c7cfb6c9ce54f0d3ca72ae61fd3a14",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "93b3dd1405a938fca3bffa59ed5db758f9b51bbbcd9dd6bc5fceebc8bfe05e10",
+    hash: "73e133257e0073065ec9f1f7962c552f510ddbe1e77f305a4ae1b1c8f9de9b1f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b43d2086f857a2c0a26e70086be889c93a382de6f96357bf9a6f23724ad94479",
+    hash: "aa4167b8da376eae9d6ebf24a0f6033b8a5616229f887c2d9df25eb2d9447947",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2519fc50837e215f7abe36c23791680526dfb70f316ff060c5e681a873922844",
+    hash: "77b070b43be020aec71e83ac4831d64eba5f0216cff6d818949178399eb27359",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9abb812bcf28af4786892e86e20e71d11cd8d5ba4809c563f96aa1264201bd8f",
+    hash: "db75c696eb6669904c6b5b7122a9711acf4b0f5c51276b91b334af83ba87a218",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "71dcb9d087a73f6d992eac27cd67d1ec3e8a511e90a915e3fc1392a3dd6cc3f6",
+    hash: "24519c044a3c86fb19e9c4682ef2d19b54f72c0a2dd7b6a2f691df274965c437",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "be41fcc810fa21ea18b46d348073671238a7cbbddc4b5da60e342ab3e2e013df",
+    hash: "4b6c0077181f8c9672171ab31ea40c3f0706d1c7e95b17fcf8f9af5d9712e638",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d916098f0ef30dee14b39ab5987fc20f22a947ff074655ef912390e2347ad2bf",
+    hash: "40dad7d4b6b0db7d63085b84c9591ccd369c162b7b27791720062bfe5963ebf3",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "61e17f49b8d76e81031df7bc1b635dc89f5b3565ea01aeb6be86f0e5e4b45c6e",
+    hash: "07e7837f914a94b2a77b00520861fc29ead7bba78df74b1516af02685bdb4671",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "961fc2f7326b2ca77eb7395677ecb1286a48a925427f485f74c66f8683176823",
+    hash: "81b93aa3d1ff0db3ea681dd4af3fe0f05e8539d3851e01107386ccc795334b23",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2494e743ed1a6b1ded2498f840d887019378f8ea4eeb0ce8e565f82796fd871d",
+    hash: "01d7a381dbb278567a4dd20588705061b0401932ee512c4a63a9b89b80f96bf2",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c2e9cc555d3d195785ee8bbcebb203ba2fea89ab229154a745bd38eb7136a9c2",
+    hash: "ec219ff40b9b9503b2bc996ae0fb05e9e05a1d6245bccba46c50f819ac209d3b",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eb7beb42cefa391aeec784edb73dc65bbe5803dcda8b9b0ab96a8ecd0e1c1ac2",
+    hash: "acd527e74bcad710b82bb89e1834e382027f74b5ee1c361eff9a7b154b41a99f",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b7c22ef2af6dce2723e67f036d5b8b183083812d347a168e5427c3a623b9dad9",
+    hash: "120558168cf4b8f1a71e315171c484df8046fcd1206208accb79300dbc0225b8",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e4d344b3a91fbebcddae2990229bba34d29585ae95fbedab264d8012e3016b11",
+    hash: "af68a19c831704c17009c7c06605ea0d6d1d00b104be81dc2425b97d4e4c4603",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ef49d4a5b8fe2055e799f4b92de5662855583f454b2f29c924c7d2cda62cbc8b",
+    hash: "e379d3c8a14871a8d677ef43931c870d40b768a4db35ede371331250a315eba2",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d274a0d27472142129d20c11f8c41d8cef234c04a43e525f6551d23a94d73c60",
+    hash: "864f9e392d633d1b3e1a411356dffc29d6a58b903c5242e41bca6359a0c21387",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f22d41d90e9c8d66817e9fa35f163532b8f59126bfb2e2f766f04436f22de9fb",
+    hash: "e20ecdea11951cdfd02ebbb8a4cba50e03daeb98424aac86c75f5d48ee3179a2",
 };

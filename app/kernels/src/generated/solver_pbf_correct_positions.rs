@@ -168,7 +168,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
@@ -197,7 +197,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
@@ -231,7 +231,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 6,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
@@ -266,7 +266,7 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 6,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
@@ -281,232 +281,232 @@ static CORRECT_POSITIONS: Module = Module {
     name: "CorrectPositions",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14964 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15176 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "8557d74f0420979e74fe0be9a4729b9682f045ffa06b7120aeaadc818601c868",
+    hash: "9cffb9237c6dbf61817c29fa0addb970eda5600690632e5325de061aeac4b343",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14964, bytes: 14440 },
+    spirv: Spirv::Packed { pack: PACK, first: 15176, bytes: 15592 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b4a161f1a0f1d8510414554102d7a33d07dc9ccf727cfee9fc960396f9ff3bac",
+    hash: "4c83dc97fa35dea845ca36dc829d644ee0e8c002457dbb4d897ec8ca70de3ba5",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29404, bytes: 14528 },
+    spirv: Spirv::Packed { pack: PACK, first: 30768, bytes: 15680 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c86a7a26c7515d6790cea3ef3ab1f64c34ab124e87715e173aeb8347b93ee8b7",
+    hash: "6bd8a6bdd7a66d6c4785e6650dff9e91ca6d71dbfdaaf937a4efd39db95ca222",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 43932, bytes: 15960 },
+    spirv: Spirv::Packed { pack: PACK, first: 46448, bytes: 16172 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "83cfda9688cf78db487c68b3ba7a74590138cc45db2d28a0d4a52af37ecc6c2d",
+    hash: "097421a235c2e1437fb5232007db485c5f29343b80145813dc8fd7dbeebef0b1",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 59892, bytes: 15628 },
+    spirv: Spirv::Packed { pack: PACK, first: 62620, bytes: 16780 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "947afc8626f3cc841b88162165f5835a62f8c838e837311309bb9ec4711d4367",
+    hash: "5b5df5b63fcdcb9a554e07b4902105e11ff5b1a8617fb1493ff597dfb312aa94",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75520, bytes: 15736 },
+    spirv: Spirv::Packed { pack: PACK, first: 79400, bytes: 16888 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "63b03d229788cb5a09aaa4c4436a8d0d8e495b3b88d7fc770a2946b596b1c809",
+    hash: "00a4ffc652970521fd999630e5bf6dc827ad48bb0d53fe06e0a6e0eec03d79c7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     name: "CorrectPositions+WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 91256, bytes: 17256 },
+    spirv: Spirv::Packed { pack: PACK, first: 96288, bytes: 17468 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ff5f269dd7a7e8fdc8941727fb4a299edff4efcba28e8c6a143f8de7eb013397",
+    hash: "976c779a8b76a4d06bc7d39d8800913fef3e96ed7d3d31fc996ad4a186d40922",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 108512, bytes: 16732 },
+    spirv: Spirv::Packed { pack: PACK, first: 113756, bytes: 17868 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "63f71ed53bf3a60bc541b0df8f17f7d8bd00ab31630ff26a54f2b11d92c61e46",
+    hash: "19d18562bd963243abee0efcd40f51b2389ea2d927e58b3ebe03c0a605fdf8b9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 125244, bytes: 16820 },
+    spirv: Spirv::Packed { pack: PACK, first: 131624, bytes: 17956 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7b787f2ad0c19e3d41eb702525566cbdd27caf4458cd6446049560632efa906a",
+    hash: "e7b8f3cfa32be15ab1898bf71669075b41de03fe78a2a7a1222aa31d1e2cb822",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 142064, bytes: 18236 },
+    spirv: Spirv::Packed { pack: PACK, first: 149580, bytes: 18448 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e03d93149c8500806280c406dacfe73556b3a0191b829dfb891f9dc76e06a8cd",
+    hash: "b0964fffc149ab9983962e30b6b1ed44a0dcda03d2911adaa09fd27987623fc7",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 160300, bytes: 17904 },
+    spirv: Spirv::Packed { pack: PACK, first: 168028, bytes: 19040 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "07c3de98825442ad68f6bce4a4b3318ba996e30b86f611686a8f93d0297a47d3",
+    hash: "2eadf45b18876472ba0c4ac7c010d2d36d30ae4a64668ff70643b09597edb1aa",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 178204, bytes: 18028 },
+    spirv: Spirv::Packed { pack: PACK, first: 187068, bytes: 19164 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c2d7930a926dc0600a90057f5f5fadd737fdee9ab1b5bc8d3d8798406e3588c9",
+    hash: "aee6344bd5688b78d5a1c3a00e8d7724bb428255b38c9f8d16d54a0e976b2121",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "CorrectPositions+SOLID_WALLS",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 196232, bytes: 21204 },
+    spirv: Spirv::Packed { pack: PACK, first: 206232, bytes: 21416 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1cd7572720f4cae50321337670f2969056e960f7f31a43baf563bd23a7b9748d",
+    hash: "69b5dcb942e2460d6cc5c53e0710bee0f14a6713115f773a20c9c5b4a369f5f4",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 217436, bytes: 20680 },
+    spirv: Spirv::Packed { pack: PACK, first: 227648, bytes: 21816 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f96140a1ba10194f66985896b8e441c8ead453bcf9bb46e58ccba98ca0fe8da6",
+    hash: "7ade3e6afe41d57207ea8df264f079d112ee23e29d01d4517ccabdd05f1f263c",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 238116, bytes: 20768 },
+    spirv: Spirv::Packed { pack: PACK, first: 249464, bytes: 21904 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ed781265350431a4c5579a6385e9d5e67bea102959206901bcb61ff2066ea4b7",
+    hash: "4cb8540e4b650f4128708cc4bf195026e70f139298b966da50c49d17e5b008d0",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 258884, bytes: 22184 },
+    spirv: Spirv::Packed { pack: PACK, first: 271368, bytes: 22396 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4bce6525633110dcbca594b3b803e6b33323dc8cacc9d8c68fa200c8c05d1fd0",
+    hash: "946ef6755a7c90b3cf586f77b1612d1c8a493a5fee93d666d52bb0f2b7e734da",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+RELAXED_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 281068, bytes: 21852 },
+    spirv: Spirv::Packed { pack: PACK, first: 293764, bytes: 22988 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "0a73e5e5c3a1cfa92ab9b668e2724ad729e86a16c680b4d24c8fb9b5712b6d41",
+    hash: "e8de8412cba2726484eb03b28292cde3ce8a954febfd7e170ea4f3bcf2e7a33c",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     name: "CorrectPositions+SOLID_WALLS+S_CORR+HALF_PRECISION",
     entry: "CorrectPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 302920, bytes: 21976 },
+    spirv: Spirv::Packed { pack: PACK, first: 316752, bytes: 23112 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "57d68e67061f99d53cecfbef208df6ced0a9a38be4ac9e61a9403a1ce189ff68",
+    hash: "a0e43e678a9eef133218ddcef7d5472402291181388d387e3470f34c813c6708",
 };

@@ -136,7 +136,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "5805066234aa66c82045b6f6794c2438b13abd5566d700b17f0428fda67e4704",
+    hash: "f1d49fef52f8f8082f649f9088a718aedc6fddf6bef2b0c8ba44b10977d8e30b",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -149,5 +149,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "9070e2edb866c7ea94a7c611c07a2501d06c42f8970643c2f28319706e903d06",
+    hash: "55f82bd51bdc9f8474fc0e6ee6a36e2be0bcb49c5f6fd6cde9a46a1ac6040a1c",
 };

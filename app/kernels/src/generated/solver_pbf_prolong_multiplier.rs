@@ -117,7 +117,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "22566e66814c76e40c3af4a03fa73d2f2063061b25b19f4d8a577407f1242eaf",
+    hash: "531d6ed4a0daff71e65b18aacfcf77211c3eb52dca594bbca013f0a491be3419",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -130,5 +130,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "123a654ab33861ad4188ace414b65e08b233ff7d4c9ba4d9ebbdf2aebd8a8e99",
+    hash: "b09921d4f78b1f5bb28b189cbcd40c78a764feceef13bf0fbf378065a5a277a3",
 };

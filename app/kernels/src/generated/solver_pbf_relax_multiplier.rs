@@ -92,7 +92,7 @@ static RELAX_MULTIPLIER: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "f2d5f465002058e4db4270b61a3797e449f196cbb9fec20573dc01f41641ecb8",
+    hash: "240bc4015359ead2c8843b5a08f4c344e268fcaf111a7f8578fddb616ecbad12",
 };
 
 static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
@@ -105,5 +105,5 @@ static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "a8d21d07dc2d92767fc2aaaf91efb4488a98ae45e04177c0d2307415f0e8002c",
+    hash: "fbda6033dffb1125ac4d72601ac1d87af370349c2d0808bd98a850bc44910c3a",
 };

@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "8a665cf6212229868e32e934b4030f8d4fd709cbe4aa4a696c4459f89feabb65",
+    hash: "84c40c9e64c12f357e3d83d6f1d975c271b0417db60d7ac1a28aee64d7c0f4ba",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "3572cf6d50cb84fef69924f07dec0566a95358afac5ccd24187f804fdeafd76b",
+    hash: "8098f43b2829185155ad3dad91e5338a112027716f707fb9cadc03cab0935434",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "4fc6da457fa172f73efdb0dec6b21f12c13a06f341633610e0535d3613b84a4b",
+    hash: "4b7c823f7435c267222319e409ac500b2298d8efb5b617e6182eb2c052b20719",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "567879f75fbb2da458a1469fe7cd9128f869377225082eb233d8f8d94df0f56f",
+    hash: "78aee13cc7045f3cace99213a1413640ad7940c00334518dad401ff069680def",
 };

@@ -165,7 +165,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 5,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 7, kind: BindingKind::Uniform { bytes: 96 } },
@@ -226,7 +226,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 4,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
@@ -270,154 +270,154 @@ static UPDATE_VELOCITY: Module = Module {
     name: "UpdateVelocity",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7184 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7396 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e0721f38f69ac0289666ae0434382c91a0c5b659071abcf44d0125743594bf78",
+    hash: "90201f81fbb51f008708489e8e70c12aff7ad7f14d3548c07a00ec33965814ce",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 7184, bytes: 5064 },
+    spirv: Spirv::Packed { pack: PACK, first: 7396, bytes: 5064 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "263749b9b5574d6cc80c7b085c584618efd5c5a66bbeb86d2d1cb37adc9f2fc9",
+    hash: "2297449fe15688ce33dbd346ee40df9e9caff4138b395a7c70e781813b8f44af",
 };
 
 static UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 12248, bytes: 6968 },
+    spirv: Spirv::Packed { pack: PACK, first: 12460, bytes: 7180 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "790e12da3d232ec7357c34c14867a16916eb040e313dac24c2e574ce76c55559",
+    hash: "e3a65547d9449e60006f7f4e808af091dcb8f30a37c34d647d983ed6cc3f8741",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 19216, bytes: 8168 },
+    spirv: Spirv::Packed { pack: PACK, first: 19640, bytes: 8380 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "8d85a16229a6e7738977a0314a41ce7146c13a87c17a04a3268298f305353ab7",
+    hash: "6f4bf0a20727cfafbbe23eb5051e5f18d28ae3ee4c4ba6bfc11fd90faebd7809",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 27384, bytes: 6788 },
+    spirv: Spirv::Packed { pack: PACK, first: 28020, bytes: 6788 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "77ea94db7a250b2fe8697b47d7e8182d0a3e2db26a0e7e373d124507834b922a",
+    hash: "8dba5625b37a8a4743ecfdd8bb4ac225860e3e0bc61ef06609734bae63cd5831",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 34172, bytes: 7952 },
+    spirv: Spirv::Packed { pack: PACK, first: 34808, bytes: 8164 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "a570e8639bfba602b771069743536183fa3a26966275b1a73354c7f7e2ce1d32",
+    hash: "d0c942ee1508447d7e7fe80bb63735f00730a58c9d6769c43687a0675f42c769",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 42124, bytes: 7560 },
+    spirv: Spirv::Packed { pack: PACK, first: 42972, bytes: 7772 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "f5a45b2071aaa8f0bd0b4faeb16bb9b7f5c64b5a9d1c1f7f2d0853cf3d7ffe43",
+    hash: "8b9b8ced8a5f24492c69323dde18116e1ea8c2210a7edd9a010dca86d584d867",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 49684, bytes: 5440 },
+    spirv: Spirv::Packed { pack: PACK, first: 50744, bytes: 5440 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "345a5d4cef095b8f99b3ebec006ba8b8023d7dfd62019af389bce29f60ad212a",
+    hash: "22eedcebc05e15237f4f1f6e09a438167332f8db59f75bbceaddbfea7f69c56d",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 55124, bytes: 7344 },
+    spirv: Spirv::Packed { pack: PACK, first: 56184, bytes: 7556 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "a0a1a3dd04c8567a91702054f62534a7069d7f3bb489e0fea17669ee748cd474",
+    hash: "297e7673aeef7f270c82dacf9682c1d661ebe75112df293e04158ccb00bb89f2",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 62468, bytes: 8560 },
+    spirv: Spirv::Packed { pack: PACK, first: 63740, bytes: 8772 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e8cf62465db64603edeb7db52a7c0e3e232b5f50546f8e30c4c1e344550668a7",
+    hash: "bfffcb336d2c6c817d8b06827c687e48b339ecf6ec175309a5679808d486c132",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+KEEP_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 71028, bytes: 7180 },
+    spirv: Spirv::Packed { pack: PACK, first: 72512, bytes: 7180 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "d7156e0cbc7148b334926ce392efaca99543bbfbf0c0a673909f7513d0253099",
+    hash: "924a1bc900b730f43bac7fd1debc0d0b81178caa9ac2ac4607482455f7e454b4",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     name: "UpdateVelocity+RELAXED_PRECISION+PERIODIC+IN_PLACE_VELOCITY",
     entry: "UpdateVelocity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 78208, bytes: 8344 },
+    spirv: Spirv::Packed { pack: PACK, first: 79692, bytes: 8556 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "31a06f7cb9bc9f2369e519d4a0ced224a40c9e6a0837642e27a0038cdfe869c0",
+    hash: "c7b89effa60ff2dcca87a4a516c6978eed3e9779609415224cab3019af9ab467",
 };

@@ -264,7 +264,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f8196ef339092728cd082b6ec46295de8c717a0edeba07256270fe2618565676",
+    hash: "48e6c9b84b6b0ecdc73a360cee5e9fb343105f222c2b860b79f91e61da0cdc19",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +277,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f3c4788ac43801a8a8053ea80ed2e4bc8b68f361659e3c6554ff73f2fbf27ce3",
+    hash: "d518c14f35d47c8be59f19017ac29a2cea4601a43cb9eac88385168aafef445d",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "20b4e73f93cc0371488b1989db69f51a6b1fc79b395f5d32523fd39cad340892",
+    hash: "439689d825e03d4318e278d26da072818e632d5545ad6e1e658f73464a6d4bbe",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +303,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cf1a45c414adc923491d9b93f5b2ecd9dba19bcc16892f3a18da5ec6c04106bb",
+    hash: "5a006d2b242f05ca0af1a4111445fceacf73ac8277204f032a19199977333800",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +316,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f23bf18c2b7cebc6578302cabd6091e3c36aa6fdfdf2a7aa3ed96642145b0152",
+    hash: "02f691c729121938d9ebdb1b7d654345b814e78a523a2c79bf6557693adf3c82",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +329,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "1cf0a7a7649a03b35a7c247e081d1c55ed53e251f25e4103e9d2255bba84c19e",
+    hash: "80edf87a6f0d765ccb5a65e4f99f736e59f5c2217679dbebe3d1582fc0ec724e",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +342,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "639f6b3d1261f0b568a6b23054665c6f1e940837cbb130a422d6a2e39d47fd9f",
+    hash: "54c56114df3359d4a3e1e68195f4b2659ea379c9454edbeb1a09f69f2c48531a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +355,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d2b8728084b0148638d8c4c4a7cfe03ce51c2c586e3d0884a2eae3466ae60ab3",
+    hash: "eb9e5fb3d59709f8246bf4fe12641848447edef17d979f21011780ba4dea9196",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "077e82c87e438545334f03d1f5bdc5b12d44ec07811048e8dc25f8608e6e06d8",
+    hash: "68a1927f5e7b8447df564998cffcebb9f3dd30dbfa6184b7d7388a4d98740411",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +381,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e06ed03e849eb2ea3ec15be0ef6a96736ecc6d2993776a7faa6fded3c1b819ca",
+    hash: "7013204f7b4a16cd27bc2009230d8cfdcf6cecb95d5960cd318a86f0fe8e5612",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +394,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3e62dd56f1973c8fcd4e7138dcd7811f022412aff6d5bf1286545f8b7baf72d1",
+    hash: "cbe91488874b005fe43e90cd714ee6eb3d84fe3fdbae1db916fed297c9f5efd1",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,7 +407,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "da55ff8336370040e454229a16aff4615253670901786088356353879b912f78",
+    hash: "67809d9a9e13d534d354befca87b8284a1efd374d7d5ba2448361b5dfa52e6d4",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -420,7 +420,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ba991f05969e082455c8505e72323f3d21e60e1a0c8c11ef2b0ce2297e542f36",
+    hash: "eba1d572d1cfe177cde26e08a3d97162a907f2e69dd81991395a6f4da3de0807",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -433,7 +433,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4d306d6190e190442847932a3fa26c1223d459354a6133967c6d129fde2f2f91",
+    hash: "6d69aaeb06f35f2e96e38be79d0c15f5fa065c64616fefcc18b7eed426b3c97c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "4e1c0064430dcfa13dfe8eea5682e8d893169e0b45631ea96917c6384a6bdbaf",
+    hash: "cf3f20084ddd9d3b73d67179ed8bacbd5c9aa855b459cd1f61b30562c6d319ee",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -459,7 +459,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "bce084a78441c3b5f81223bf42727eb6a1e143f99337d2ec248e343ed093c45a",
+    hash: "f95bf934ba2fe39d2c88443383e654f2ea70883e4e95b6b5563a99c3cf686d21",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -472,7 +472,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3f6d70e1a437f962a1254bdda36bb266b4e7036a61de5780bf4c83d95fe69ec7",
+    hash: "dc69f0fe739777b10cdca777762ebb5b8325649dd9c4deb75d632c714a471735",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -485,7 +485,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "017e7755ad55c013562db5da7c5f451bbbb29b52e521c7caece9c6f76173b167",
+    hash: "960e6dc64336101914d77676e35659c27990df93a5078b047fb11055747ad2eb",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -498,7 +498,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2c7fa4146a9349fea2ba8d2d652deb11ae406780cb894dfb1da007590410a771",
+    hash: "f5f4060c056cf2e69e41329bcd35f9c406f889c0fa8c9d90db80d7396c37f271",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "1398f98c8fd4cbf6285dd6a99af65f8228b5bcead88f571d23673223bbff6bf2",
+    hash: "9dba9b927cc3e84de19619db11a7f52920d01270db07f69e6d64d0a590f1613d",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2062bf50d9a8b509161c699118edc762dd7550c6bcaab0ecffb812f4bb59b873",
+    hash: "78ef441b2b43bade194839ca05b6af34a0b6c9c80f18e5a9eb2fc4e60d8f2f95",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -537,7 +537,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c3215a7a25163fb7621178a43c1b2f830765cf33801a97a4d628d9e30d54c26c",
+    hash: "26c0befc78b846340d8d78384184c931d4f5b4eba6b996579712b045da722441",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "709fba4b7b187c825a4e6a5d8d09c77f6edbc15e8d40aeee3a2d79fe0d7e636b",
+    hash: "29faa00372fc39326bcaa4851f2cd925e05299855e851cd81a125947da39496a",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -563,5 +563,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f3943f3bc0f69eba32b11c8d07cbc917d0e970e43d0ac517b240b3eb50b1f57a",
+    hash: "510c08ba4a127ea213aea5e01adaba093e74cad4c1fed3b569a8d5660b6566d7",
 };

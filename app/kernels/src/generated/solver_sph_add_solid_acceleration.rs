@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "aacf423a07bffe83ca477b3d099fcc35f5f68742c7ebf04c6f49c5821b07c78f",
+    hash: "01d25276a54555f5aeaa1d793b7467ec724d80089d399fd91499033a6ee289b3",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "6f7b4dc35343ae9902f6cf9fdec23448016373fb9bfb7e309b9ed6ce2b6b7ff2",
+    hash: "810ef3bd04e68dafd494be5a2c657afb070ac3fccd6ec4e692357c274e3cab11",
 };

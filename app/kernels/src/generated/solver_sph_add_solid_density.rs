@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "3ba7cbc6a4301f68392193b15dd8d2718b8394d9ca32c3d6272a507711e4d11a",
+    hash: "02828cafadcd116f174b6eee881e72fa10172892deb2a2a15abc8aba10cc2750",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "cf67dccf3df8e55b0f56c70fdb5c52b099af434a08299f515f73cb1edc893647",
+    hash: "7bdfaf37b4f6f682a19aa5ef22faf79083fabf959e7e00224641c7293d72c41e",
 };

@@ -71,7 +71,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "limits", slot: 4, kind: BindingKind::Uniform { bytes: 32 } },
@@ -91,7 +91,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo {
         name: "counters",
         slot: 2,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "limits", slot: 3, kind: BindingKind::Uniform { bytes: 32 } },
 ];
@@ -102,24 +102,24 @@ static CHOOSE_TIME_STEP: Module = Module {
     name: "ChooseTimeStep",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5476 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5688 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "6105485807ebca03b60ffe483c9618e623734a09363873153bf24663c0546a80",
+    hash: "4cee2928e2e1dd8e4238ac7f21b4036063b49e53a2c34e0132bfa4aa30259938",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5476, bytes: 5360 },
+    spirv: Spirv::Packed { pack: PACK, first: 5688, bytes: 5572 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "a0f09205f2c3bfa42c2064885fef53afc6f79a34c5ee27077d042cf3ca81cdb8",
+    hash: "cf5b4ba54572c2a4bfdca73fd7012e80a60fc5931f9feae8e3782e35e359cd6b",
 };

@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "69069fb9b0c1506e7d39661121aeaac530c34d3e55acbad6b04029af8242c5bc",
+    hash: "b1e57a7181bcdb9cc5da65bce31580dd0ddf27d9281da55e007e761fc236ff4d",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "269736f2738fc240b9b8de28a54986285012f7f1dc3caac2e2cfc0473f666d81",
+    hash: "3f15c6ba9dad34f95c8cc1bbf283ace2b53ad198018ef5c85ad7085ae0834ae4",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "b580208b713df2be90ff77a118b98f8a86d695e7300af0fd0b4f15e78c03b9b9",
+    hash: "2a69cb40f90e5f74d19bf3509eb19c5ab063e86ee8e0e9cfd2d296659d7c5068",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b0ffc5f045e74729479fa1025b51e94606b6ea2027b6cd86ccf3df14e7e1d872",
+    hash: "f4198b71c29cb196704078a67d5e0e5993dcd811a40a8882e61b6ec9f0a62092",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "eb2b3a1533e63256c39003217e02334e9c6e3d00f41f9948801e13722f29b22d",
+    hash: "8580831da23e605ad38b6504058d9cc018da362bdc76295ab03a5421b87e2db5",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "b9fa0d12c4d5281e0736ebf897526e0f6644cfbc88c32b11d4d4d5bf8b601919",
+    hash: "e1e9eaf0ec0d7ea73dfc26088919555288d9f14158f9e391ff494bcd0c1e3f66",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c117c08d6628899d592fc911f1d68a63b5632344928b47d91394a1119873f68a",
+    hash: "dd8fec20e2a5a7e79f1afac976355cef3f23e7829c82943ef1af25a6bfa7f847",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "59bc242f9b0d36f795a2536fcf37a80254121ee65e36748757ec1c77cf0ee7aa",
+    hash: "ce65e04d94b85fc16f43c9cfe2ecb3215ee746ea30f5eda3ffdc67e575dd596a",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6190696fe64268c5bc5733faee171a29a452379160150c04e6a6717343d0e84d",
+    hash: "6460a5cc002b4f4477982ac4553e0c3ba9874c076366fc4ca331d0b11564d6d8",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "156e0c66d280c049b9752394c1b63270363c1c7eecb2915c58f281c75b30cd15",
+    hash: "f28b7ca7c8c28d5e67a534b46ae9100e2c2eda17ca03f7944a10cf68e72b1d33",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d43c7a2d3c29d80811dd679f0eab5211a5605658c4c78b15c61d2b76dd919b6b",
+    hash: "5c388e02ce96825aa808734924a1ad10c40935f3bfa45e6bd937556d979a0523",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "05f37f6a07c8c35d2fd9f8afdc9e342cd90e5ebc6912155e0755329f55248622",
+    hash: "11e25948c0d0ac016ea6b4efe117699e7558d730d161cc07fff9560f7278a879",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cfe4410d31d34b01354e37cec064e0640b1cf2f8c779b8aed234c49851052cc3",
+    hash: "c524702b033b9595e82d9f685dd82aceff07845d8fc1a8a329f212061e00da02",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7c07a6443eda26f2ede6fce29dfcf5509c0a695fff9bd1d10a3d3c54759a7f89",
+    hash: "9593f329477e3a57b97ab1594b803ee6cbe72a9b9991a1bb1490b8f04ab8f4f8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "10047b6e8e077ff5924fde960c2d3aed12ed512ee2b7768f4c66ee7914057d5b",
+    hash: "25aee91783a58736681fe5348fb04acc419ea550c4c9517d4d6bb9a79520596e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "87a427902d9e0a83c7fc5ae2f5719e8e8664b02ce86fe8624c43c22fa21a269d",
+    hash: "6c71b560add5699c071c4701a4e859b30717bb72fd9fc90be896122069e25deb",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d967570aea892ed31320cb1f45e059b2a6b30efbb55e1e9f03e58ef72824291c",
+    hash: "1c6d078b4bc38acb1ab2c736f3a378eaf2fb3f9999231bb25883de3511e656e8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "c69d8afcb712a8595e7cf6d975e96b92db4fff277e12b163d8ac91febb045664",
+    hash: "910f17806b350d5325ec5865344beed422f80125db53dc4924d7a02206016231",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ed5e4be4d4a691fd62f1cecf2dfeb943f6eb33712df2dc9822c35b15cd573b80",
+    hash: "1215c683a360188c86258625056c2751e326b8045930205b521d18c6919db573",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4d36bbdc4ab4193f02ddf7d6d3fe145a92b1cc3c23d81e139df10ae81b4fa448",
+    hash: "77f02a3b8ac79ffa822751fd49ba3f8d317fe0af25b60a84ebeaf33715baee79",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4b1bc073c0fdd568a1d8e9f27f5993f6a6e984f493601e1552e385036b5c1e60",
+    hash: "f1c3bc3805c435b707d0be47bf2b7a6338901971f4d34b8b81c7eb70386a02bb",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3acc72832d6c08711ad7534f6affe518fef4d15a3926c105b3bf80b746e2e90b",
+    hash: "0243752bb4ff24d7b87898f9ec36e37ac6bb08082e50f6c0a4e86eb55364178c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a99685050ae60aaacf35d811afdd8147b524def9b7bfaec30784b3a4a726315b",
+    hash: "98b45e8c42005ca788414a629d8e6e01a34099e546cd7b88a05a2038945f3344",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d853ecba77f65b2bfd136ba5f08bb5c99c9758701d34fd863c6c5be1e5daa686",
+    hash: "60825cb2309d4e960665beeab1cdbb5957be520fd6c391b89106f3cc0378bf9a",
 };

@@ -80,5 +80,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "3fce7e22333cd7e09dfb8cf431a621b9e18cd6aa32aee3df95998a6b0719f21f",
+    hash: "c156050520627d679222dbff865681a316e026d51c493ea5d82ec997ae6a7fe5",
 };

@@ -72,5 +72,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "8678a88b523abb1830647440425dd513b0133c0d7828e2b4882bd230aa9ac329",
+    hash: "3de049b6d8968df59b5cb17752b0930ac49655640481f0c75f70bb83de0f0220",
 };

@@ -115,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "897500fd2514e8964a77119f0f712719289148a60987153812f9c45a4e11671b",
+    hash: "e75f3258295e239f9bc874ffea427d45d44af8a1596749c7574a9d22bebec6d3",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,7 +128,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "1672bbbacc352f9f9019dba3ae0bfbde5560ea1d4ebed420d4f6f341b84a3d3e",
+    hash: "4a6faac7ac680826c1471fecd0fde3c2fc5bed93117fc520390065f5a1b49af3",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -141,7 +141,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "950b046d2e4524cdaf14c58b47811e92baf573c8bd2b63202e21412781cf2b4b",
+    hash: "0fe0cb23bbbb247c5d3ba700271a21879615a802c76e6459d76a47a0d05b6d84",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -154,7 +154,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "d5041269067a407fedc6cafb3906a3a43889f27d4e5c3e4fdd5458f2d37b7d0f",
+    hash: "22470cba2ec4e94ed59519dc9a5b5e417345dbbaa7f173c2474a35d244b7b220",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -167,5 +167,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "eaa03b571f188a1ef1b2b063a4a5c743caf95b9726db89456dccd7d2f2b34cca",
+    hash: "6ed61e36efd13d28364a419c921e9dd1d9a2e609ba2a3e0e1d104f9c9669798e",
 };

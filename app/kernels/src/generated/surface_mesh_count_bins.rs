@@ -106,7 +106,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "9451c32a564b186c25a759d865cfb78143d89984d51f9c43ae284a5bf16c1611",
+    hash: "0954e2fc961e2d58f3cdf02e70ff344e7609a343b90622cb4aa94826981feacf",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -119,5 +119,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "908173885b6ba87dc76ac5417e546e77a9d6781da943203be4b8b59fda1e860b",
+    hash: "0d763d1aee93262b2a23e8c40919ebe161905144fd95d5858df62d6f8d77ddcb",
 };

@@ -91,5 +91,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "4c44e23d0d7c96b578fc0a6f3d435423bed409c0390ca49e7539851513c1ae8d",
+    hash: "d1b199ac443f615e83984459122ddbdc0575eb6b9ca4c43a62459d8e7b14d4e6",
 };

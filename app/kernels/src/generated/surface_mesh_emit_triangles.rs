@@ -112,5 +112,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "11f0246ed10e7b8f85ea0a8b3319981c5b50a75cecf63d6367105e38304b4f7f",
+    hash: "cc566621835cb7b169905b489a7ebdff8628ec3eb332d101c790421d79255b2a",
 };

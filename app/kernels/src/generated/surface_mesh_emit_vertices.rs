@@ -106,5 +106,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "d0b7262b15577d1cff43cc090e6938dcde2166ed2fdae4453856eadf16b9baf6",
+    hash: "de79fc844600ea6f9619ea9e29982df659bf9b1b6813257f421d7702961e0647",
 };

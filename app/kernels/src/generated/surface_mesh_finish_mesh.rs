@@ -77,5 +77,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "4e46c42b8155173a2524a7e829150bdfe0c9f3d4516fa420d849caca03866b0f",
+    hash: "f43e962076dcb4b3f86bd51afc8a63523de02560d25abfe3aef9279ab1a59da3",
 };

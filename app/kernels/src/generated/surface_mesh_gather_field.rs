@@ -118,7 +118,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "1600b7e140a0026ab182b427bb00d01ddd723530d36ba0e846dc5653d9090271",
+    hash: "55af381920969d7b241926c118184958dbfd7bde2c6902f13bc9a93d502ddcde",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -131,5 +131,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "345fcf07d9d8e489c53bc3ea3f8e5fb5b8afbe2f7214f195441e4a65d21066b2",
+    hash: "076e071ed6f5bebc562fb33451b86cf5a4c523838f991877163d9db9fcf3ec4b",
 };

@@ -85,5 +85,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "ef7516cd7309f927216829ddee553ce959bef2128b8d3b47beca440f8c9e143c",
+    hash: "ca4bc34aa99d74dae3e1dba123e9876a24f508b24a2189791727a906720f3736",
 };

@@ -87,5 +87,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "d6b3feaa4214b07cccbe7c060f4dd107157d46793567e4c288dd7d386b1f6fd7",
+    hash: "da59efc63b3f1eca07226feda7c14535d5ed4b2fb865dae99672d57d0e40207d",
 };

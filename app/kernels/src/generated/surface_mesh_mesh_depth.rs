@@ -75,7 +75,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "ed60076707e08488cd3aa08fdab49fe7b7b6f4177676d97b4c422a5f1781e007",
+    hash: "4f0bc86ebbc14f93f3b187b4a0a1984094f1627df8b7960c7127ad4712a4feca",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -88,5 +88,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "516998cd5da3b8e0a64b71e3701d81912a43376020e6e8a3a725f50e1f54b2e4",
+    hash: "c80c1240867dc7746352030df743476311b7d115fbd69a2fe47bdebceb3800dc",
 };

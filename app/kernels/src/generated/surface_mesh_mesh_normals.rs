@@ -100,7 +100,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "76c419326e8eece17338d4bb3083f521392a20c9076d0428987a7f1c1ca633d3",
+    hash: "b7920bc8ca0af6a9b576f1faf6c3872496fba0ca19c3825a951ac0d1c5512dd7",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "9ed82fd382ff91ef0375d17b9d6d057386af72a94540c91aa986505625e853aa",
+    hash: "12ce43bd882d2e991e560b6ee62bd79ffbf92c0c6b9b4751c1033472b912892c",
 };

@@ -103,7 +103,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "8fd1ef5041c4c0bc05603779e84ed1af09bd4f01cfc0b3ab7d065678a1b9bd41",
+    hash: "1a0a35e943750405fc21c27a369a93f6a5ab97276d3c26c42cf4841887ea4093",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "7a6eddf32614e347c3c796893178b299de071a838dba864688dc7c724e6a0c5e",
+    hash: "e443e61c84d969ca4ff4c1d9f104bce9798b1f2ec9320bcb3ce3133535a23572",
 };

@@ -66,5 +66,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "c3d3e589aa84fab56ebb9165282be070e66c85aeb025d347bbeff8fd6b170129",
+    hash: "674e1564f2cba971ca9e90b89cd471ff5a8bd7c8c90019fd69e62414cc6ff66c",
 };

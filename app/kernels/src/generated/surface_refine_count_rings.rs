@@ -73,5 +73,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "e6861f5d86192699046fa9e8d89229e308388df89d36463904c72b5e606fd5f0",
+    hash: "043c5c6c2ede8e6b0ce8e45c4910ce00301412587264d1e0211e98bc44bf208d",
 };

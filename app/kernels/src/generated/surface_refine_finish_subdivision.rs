@@ -69,5 +69,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "bd464f14a2bf74442179f895167745f7ff5f48f1f56c0e6b5512a6f1f5b406e3",
+    hash: "588b86a359618ff82dde610b68077a7eb38be3ddf9fcb15cabd75d0c9489eee6",
 };

@@ -66,5 +66,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "6f6cfd1a963da92725ec15438f3025b3826af13acfa97f8bbfd9b3e175180ea9",
+    hash: "ebbd2e86fe7d46106ea88f4a52eddd62af3e848aed1393825d9d1504b2f453f9",
 };

@@ -52,5 +52,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "34df21aefbaff9b70cabbe09013bd40fd132581df63f3d4ee9e5b5e6007f34a3",
+    hash: "b40d71da3687c73edddd915d8155f78e434312f19d551b65bdaed081bea5b35f",
 };

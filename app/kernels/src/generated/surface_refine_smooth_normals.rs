@@ -80,5 +80,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "e1b16b66949c04f7444d2251fa5f8de85ac10c2301506a3aa7997a6e8b3701ca",
+    hash: "bf2cfeee02efdca14083005ffb1e1f844f6e3bc0916ccb5d447a98109ef521bd",
 };

@@ -59,5 +59,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "e28355e7550adff5186d1648b4762c9463090d62aadfb4d8289aa4a85f131bc1",
+    hash: "1db8814d25fb878cd171ceccfbed1dd5d87c3a17032c6cb2b0227076a4ae1e8b",
 };

@@ -84,5 +84,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "2646df373ddc796ab87fd270e679be1d812156c226bb8975c995f7dd9aea2a2a",
+    hash: "f7a60d27418f63eca221aa0c0c7708dd0f13b38d58392b5f5c88e58444943c19",
 };

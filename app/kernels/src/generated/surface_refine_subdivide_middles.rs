@@ -79,5 +79,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "b15efedfbf1d92a438c872cc34b1ef933ad8ddec7becdf1b290c86855ee4585c",
+    hash: "b82d94684dd8a8d770b0c30289f152b50834ca5a2e341a32a9b1995ae570c213",
 };

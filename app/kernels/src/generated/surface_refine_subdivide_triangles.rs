@@ -88,5 +88,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "b326d53c878e64c4dc02669aa5b7e41de3fc2723123a43145c47442a0577cd57",
+    hash: "6902c73de351e9a208c0269cac1e0bcbd34ad070401f576d659c2b5530354bf2",
 };

@@ -73,5 +73,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "cf0fc59b60749cf20e1445a8dcdad02170c5086f6b7e108755fd8f4adc91f6f4",
+    hash: "74e9a5d11ed2304d3602fc78208676f7eedeba10b19776f0bbc144ea8d3e3ca2",
 };

@@ -87,7 +87,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "3d9689a7129032272f34ab0f0c485629dcf2f8068380daec3bcab424e52c3ef3",
+    hash: "1bd993b9f2a4cd8cedb5f2d59a1d28792e03074977e5850b9603152d1503caec",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "2df756bd580324dd8be1e2d904d13e5dc247924d144bebb09530eccf270beff1",
+    hash: "15ed2a90f550bcd2eb9099b7424860c9e73e82168afc66ceaa8d643f128f81b2",
 };

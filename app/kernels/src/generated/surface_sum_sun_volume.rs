@@ -67,5 +67,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "abd14324f674cf217d4a008c938f63295a4a3a93a2ae401800b458e76b1c089c",
+    hash: "a3b5119fef5df5dfaf0b068f90dfda4239842d3e0038c3b60d777a133f3ad135",
 };

@@ -117,7 +117,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "420e440e1d25727ebc1e87f28fc37f2c6aedbdf1766a19d4182e5689c43a4551",
+    hash: "66f3bcbddef3465c4b0873e6ac79b63f861f2e34e78916a39c648e92db0372a7",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "98cd7187818363be1e6feebe64497f9daad8efc3b5101d560ea359fdaf10eed9",
+    hash: "83cadae47c6afd3e244d156fe4be4e32c7cf97d4c4db9bd73c7fa55a60e37777",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "2cdff79e01a05d90793ad8365b3526cddb54a2ee1c446137bccee5f38eaf176f",
+    hash: "b3b784eb4b5b6d7c750ea0ed2261d6a76a7558cedf494a351ebc15f44124d4d6",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "a79e259739c5c1866a6711c3cd044dfd1c863add2fde94927647c6d5c82b5ea6",
+    hash: "f3518f5078ab061c0122b3a76437438de0791d966688fea507d13a6e4d5232b7",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -169,5 +169,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "64bf3acf11e75a17e0c74333daf0d7d0de2ac06fde69a114cec04b29f3a9f21d",
+    hash: "ddf16242830b12e947cf03cc7a7929e06000b7db5641efc3249885e6ad073683",
 };

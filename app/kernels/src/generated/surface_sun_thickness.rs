@@ -88,7 +88,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "7587f081c4579f3daa9e6dcfd4664e443ea8d68cec2a58d9658dd75c33fb7d3f",
+    hash: "25f638e1f61931ec8f82679c94663387b2752112d32a2bbb838c0e2842ecdb5d",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "a4dd2a66700db75bf791d5cc51be7feec8bff9900ee5ee10e7b020d72e47b1c1",
+    hash: "42e9ff60fba06d49a16dce3c362915c26e02ee00151734a2444ad069d6c245a7",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "0b9d12048ee1f85f9273d37ae0063674f597376e3d45c5c2988d7617e3a95e9c",
+    hash: "0633d631fd137cc506ede0133f528cbf753ba9cf3589132c191914ec83e7339d",
 };

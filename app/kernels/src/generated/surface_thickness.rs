@@ -94,7 +94,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "6a5ce3f2b8c0b7fec74bab0ac99d3bbe51d13184e0434ac256c53cc6d0b91ed8",
+    hash: "5f2347558328422ebc3036bee0de13e9760d6ee4c737ca828d7e17de16fdb628",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "8c31423a44d29c0d5e4d82362e8ce9d16c97612d0840b03b8843ae28e0f8b550",
+    hash: "0f6f74b4093f33a62377341434e5a002cf81af744afdb036e58ef027c685a4cf",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "050e71934ebffefac689e584b5816f25d898120d1efb452e15c5d22866ee808b",
+    hash: "2728339a8e455202d1bce517ddc59a9b8b584cc97a6cc7ed89982f28460d03ee",
 };

@@ -3,6 +3,7 @@
 use glam::{DVec3, UVec3};
 
 use super::open_emitters::Flow;
+use crate::shared::hash::hash;
 
 /// What a layer's particles begin with.
 #[derive(Clone, Copy, Debug)]
@@ -30,13 +31,6 @@ pub struct Emitted {
     pub velocity_m_s: DVec3,
     /// Below 0: what is left of its lifetime, s.
     pub age_s: f64,
-}
-
-/// Wellons' lowbias32.
-fn hash(x: u32) -> u32 {
-    let x = (x ^ x >> 16).wrapping_mul(0x7feb_352d);
-    let x = (x ^ x >> 15).wrapping_mul(0x846c_a68b);
-    x ^ x >> 16
 }
 
 /// Evenly from -1 to 1 along each axis: by emitter, layer and point.

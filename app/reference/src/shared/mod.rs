@@ -1,6 +1,7 @@
 //! What several stages need: the smoothing kernel, sums over the lattice, quadrature.
 
 pub mod cells;
+pub mod hash;
 pub mod lattice;
 pub mod list;
 pub mod parallel;

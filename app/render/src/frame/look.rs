@@ -138,6 +138,7 @@ mod tests {
             supersample: 2,
             shadow_texels: 512,
             edges: true,
+            diffuse: None,
         };
         (view, options)
     }

@@ -10,14 +10,16 @@ pub use auto::AutoPasses;
 pub use options::{Coloring, FrameOptions};
 pub use uniforms::{FrameUniforms, FrameValues};
 
+use brooklet_fluid::diffuse::DiffuseSlots;
 use brooklet_gpu::{
     Blend, DepthTest, DrawState, Engine, FrameReport, Load, Recording, RecordingId, ResourceId, Resources, Targets,
 };
 use brooklet_kernels::{
-    Buffer, DrawEdges, DrawEdgesVariant, DrawFloor, DrawFloorVariant, DrawResolve, DrawResolveVariant, DrawSky, Format,
-    FrameLight, MeshCounts, ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
+    Buffer, DiffuseStyle, DrawEdges, DrawEdgesVariant, DrawFloor, DrawFloorVariant, DrawResolve, DrawResolveVariant,
+    DrawSky, Format, FrameLight, MeshCounts, ShadowKeyword, SurfaceParams, Texture, WaterKeyword, WaterStyle,
 };
 
+use crate::diffuse::{self, DiffuseWater};
 use crate::formats;
 use crate::solids::{SolidPasses, Solids, SunThrough};
 use crate::surface::auto::Shown;
@@ -111,6 +113,8 @@ pub struct WaterPasses {
     pub caustics: Option<Caustics>,
     /// How much water is nearer the sun, where the water shades itself.
     pub sun_volume: Option<SunVolume>,
+    /// Light and optical depth of spray, foam and bubbles, where there are any.
+    pub diffuse_light: Option<Texture>,
 }
 
 /// Records how particles are drawn.
@@ -158,6 +162,11 @@ pub fn record_with_solids(
     let color = resources.texture("picture", Format::Rgba8Unorm, view.size_px);
     let mut draw = resources.recording("draw");
     let solids = solids.map(|solids| SolidPasses::declare(resources, &mut init, &solids, options));
+    let diffuse = particles.diffuse.zip(options.diffuse).map(|(slots, look)| {
+        let mut style = resources.persistent("diffuse_style", 1);
+        init.upload(&mut style, &[look.style()]);
+        (slots, style)
+    });
     let mut frame = Frame {
         resources,
         recording: &mut draw,
@@ -165,6 +174,7 @@ pub fn record_with_solids(
         options,
         light: values.light,
         solids: solids.as_ref(),
+        diffuse: diffuse.as_ref().map(|(slots, style)| (*slots, style)),
     };
     let onto = (&radiance, &depth);
     let mut auto = None;
@@ -185,6 +195,7 @@ pub fn record_with_solids(
             let shadow_map = points::record(frame.resources, frame.recording, looks, particles, onto);
             frame.solids(onto, true, &SunThrough::Points(&shadow_map));
             frame.surroundings(onto, ShadowOf::Points(&shadow_map), true);
+            frame.diffuse(onto, None);
             frame.edges(&radiance, Some(&depth), None);
             frame.glass(&radiance, &depth, None);
             frame.resolve(&radiance, Some(&depth), None, &color);
@@ -222,15 +233,17 @@ struct Frame<'a> {
     options: &'a FrameOptions,
     light: FrameLight,
     solids: Option<&'a SolidPasses>,
+    diffuse: Option<(&'a DiffuseSlots, &'a Buffer<DiffuseStyle>)>,
 }
 
 impl Frame<'_> {
     /// Records into another recording, of which a frame runs one or the other: what is declared there as it was since there
     /// were `first` resources is the same.
     fn repeating<R>(&mut self, first: usize, recording: &mut Recording, record: impl FnOnce(&mut Frame<'_>) -> R) -> R {
-        let Self { uniforms, options, light, solids, .. } = *self;
-        self.resources
-            .repeating(first, |resources| record(&mut Frame { resources, recording, uniforms, options, light, solids }))
+        let Self { uniforms, options, light, solids, diffuse, .. } = *self;
+        self.resources.repeating(first, |resources| {
+            record(&mut Frame { resources, recording, uniforms, options, light, solids, diffuse })
+        })
     }
 
     /// The shadow map of opaque solids.
@@ -327,6 +340,12 @@ impl Frame<'_> {
         );
     }
 
+    /// Spray, foam and bubbles over `onto`.
+    fn diffuse(&mut self, onto: (&Texture, &Texture), water: Option<&DiffuseWater<'_>>) -> Option<Texture> {
+        let diffuse = self.diffuse?;
+        Some(diffuse::record(self.resources, self.recording, self.uniforms, diffuse, onto, water))
+    }
+
     fn resolve(&mut self, radiance: &Texture, depth: Option<&Texture>, water: Option<&Texture>, color: &Texture) {
         self.recording.draw(
             &DrawResolve {
@@ -398,12 +417,21 @@ impl Frame<'_> {
         let water =
             Water { surface: &surface, thickness: &eye, style: &style, sun_volume: volume.as_ref(), solids_shadow_map };
         let seen = screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth));
+        let (inverse_depth, style) = (&surface.inverse_depth, &style);
+        let diffuse_light =
+            self.diffuse((&seen, depth), Some(&DiffuseWater { inverse_depth, style, solids_shadow_map }));
         // Solids hide edges that are before the water behind them.
         let hiding = solids_shadow_map.map(|_| depth);
         let before = Some((WaterKeyword::BeforeWater, &surface.inverse_depth));
         self.edges(&seen, hiding, before);
         self.glass(&seen, depth, before);
         self.resolve(radiance, None, Some(&seen), color);
-        WaterPasses { surface, thickness: Thickness { eye, opaque_planes, sun }, caustics, sun_volume: volume }
+        WaterPasses {
+            surface,
+            thickness: Thickness { eye, opaque_planes, sun },
+            caustics,
+            sun_volume: volume,
+            diffuse_light,
+        }
     }
 }

@@ -5,6 +5,7 @@ use brooklet_fluid::scene::PointColor;
 use brooklet_kernels::{MeshCounts, Tier};
 
 use crate::RenderError;
+use crate::diffuse::DiffuseLook;
 use crate::surface::marching_cubes::MeshRoom;
 use crate::surface::{MarchingCubesOptions, SurfaceOptions};
 
@@ -39,6 +40,8 @@ pub struct FrameOptions {
     pub shadow_texels: u32,
     /// Whether the domain's edges are drawn. Safe to drop anywhere: they only show its size.
     pub edges: bool,
+    /// How spray, foam and bubbles look, where there are any.
+    pub diffuse: Option<DiffuseLook>,
 }
 
 impl FrameOptions {
@@ -58,6 +61,7 @@ impl FrameOptions {
             supersample: if scene.outputs.width_px.max(scene.outputs.height_px) > 2048 { 1 } else { 2 },
             shadow_texels: 512,
             edges: true,
+            diffuse: DiffuseLook::for_scene(scene),
         }
     }
 

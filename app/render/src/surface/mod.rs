@@ -10,6 +10,7 @@ pub mod marching_cubes;
 pub(crate) mod points;
 pub mod screen_space;
 
+use brooklet_fluid::diffuse::DiffuseSlots;
 use brooklet_fluid::grid::Neighbours;
 use brooklet_fluid::measure::Densities;
 use brooklet_fluid::scene::SurfaceMethod;
@@ -34,6 +35,8 @@ pub struct Particles<'a> {
     pub neighbours: Option<&'a Neighbours>,
     /// What their densities are computed from, where colours tell them.
     pub densities: Option<&'a Densities>,
+    /// Spray, foam and bubbles, if there are any.
+    pub diffuse: Option<&'a DiffuseSlots>,
 }
 
 impl<'a> Particles<'a> {
@@ -45,6 +48,7 @@ impl<'a> Particles<'a> {
             slots: &recorded.slots,
             neighbours: recorded.neighbours.as_ref(),
             densities: recorded.densities.as_ref(),
+            diffuse: recorded.diffuse.as_ref(),
         }
     }
 }

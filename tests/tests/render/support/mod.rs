@@ -41,6 +41,7 @@ pub fn options() -> FrameOptions {
         supersample: 1,
         shadow_texels: 256,
         edges: true,
+        diffuse: None,
     }
 }
 
@@ -76,8 +77,14 @@ pub fn draw_moving(view: &View, options: &FrameOptions, spheres: &[Sphere], velo
     let positions = resources.persistent::<Position>("positions", count);
     let velocities = resources.persistent::<Velocity>("velocities", count);
     let slots = Slots::declare(&mut resources, count);
-    let particles =
-        Particles { positions: &positions, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
+    let particles = Particles {
+        positions: &positions,
+        velocities: &velocities,
+        slots: &slots,
+        neighbours: None,
+        densities: None,
+        diffuse: None,
+    };
     let passes = frame::record(&mut resources, view, &particles, options).expect("a frame");
     let (color, depth) = (passes.color.alias(), passes.depth.alias());
     let ids = [passes.init.id(), passes.draw.id()];

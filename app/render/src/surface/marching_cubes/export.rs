@@ -169,8 +169,14 @@ fn plan(count: u32, options: &MarchingCubesOptions) -> Result<Planned, PlanError
     let mut init = resources.recording("mesh_init");
     init.upload(&mut slots.state, &[visit_slots(count)]);
     let mut mesh = resources.recording("mesh");
-    let particles =
-        Particles { positions: &positions, velocities: &velocities, slots: &slots, neighbours: None, densities: None };
+    let particles = Particles {
+        positions: &positions,
+        velocities: &velocities,
+        slots: &slots,
+        neighbours: None,
+        densities: None,
+        diffuse: None,
+    };
     let surface = record(&mut resources, (&mut init, &mut mesh), (&particles, None), options);
     let wanted = [surface.counts.id, surface.vertices.id, surface.indices.id];
     let (init_id, mesh_id) = (init.id(), mesh.id());

@@ -154,7 +154,8 @@ impl ScreenSpaceOptions {
         }
     }
 
-    pub(crate) fn water(&self) -> WaterStyle {
+    /// How the water looks, as the shaders are told.
+    pub fn water(&self) -> WaterStyle {
         WaterStyle {
             absorption_per_m: self.absorption_per_m.as_vec3().into(),
             refraction: self.refraction as f32,

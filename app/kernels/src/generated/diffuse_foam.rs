@@ -1,0 +1,127 @@
+// Written by the shader compiler; do not edit. `cargo run -p brooklet-compiler -- build`
+// makes it anew from diffuse/foam.hlsl.
+//! Kernels of `diffuse/foam.hlsl`.
+
+use super::{FrameLight, FrameStyle, FrameView};
+use crate::{
+    BindingError, BindingInfo, BindingKind, Bound, Draw, Module, Spirv, StageKind, Tex, Tier, Uniform, bind_draw,
+};
+
+/// Which variant of [`DrawFoam`] runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DrawFoamVariant {
+    /// Keyword `SOLIDS_SHADOW`.
+    pub solids_shadow: bool,
+}
+
+/// The diffuse particles over the picture: as much of them as their optical depth hides (1 - exp(-depth)), white by sun and sky. Where
+/// the depth falls away toward the sun a bank of foam is lit, away from it shaded: it is not a flat white.
+#[derive(Debug)]
+pub struct DrawFoam<'a> {
+    /// Its variant.
+    pub variant: DrawFoamVariant,
+    /// premultiplied with optical depth, which is its alpha
+    ///
+    /// `Texture2D<float4> diffuse_light`.
+    pub diffuse_light: Tex<'a>,
+    /// `ConstantBuffer<FrameView> view`.
+    pub view: Uniform<'a, FrameView>,
+    /// `ConstantBuffer<FrameLight> light`.
+    pub light: Uniform<'a, FrameLight>,
+    /// `ConstantBuffer<FrameStyle> style`.
+    pub style: Uniform<'a, FrameStyle>,
+    /// `Texture2D<float> inverse_depth`.
+    pub inverse_depth: Option<Tex<'a>>,
+    /// `Texture2D<float> solids_shadow_map`.
+    pub solids_shadow_map: Option<Tex<'a>>,
+}
+
+impl Draw for DrawFoam<'_> {
+    const STAGE: &'static str = "draw_foam";
+
+    fn vertex(&self) -> &'static Module {
+        &DRAW_FOAM_VERTEX
+    }
+    fn fragment(&self) -> Option<&'static Module> {
+        if self.variant.solids_shadow {
+            Some(&DRAW_FOAM_FRAGMENT_WITH_SOLIDS_SHADOW)
+        } else {
+            Some(&DRAW_FOAM_FRAGMENT)
+        }
+    }
+    fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
+        bind_draw(
+            self.vertex(),
+            self.fragment(),
+            &[
+                ("diffuse_light", Some(self.diffuse_light.id)),
+                ("view", Some(self.view.id)),
+                ("light", Some(self.light.id)),
+                ("style", Some(self.style.id)),
+                ("inverse_depth", self.inverse_depth.as_ref().map(|bound| bound.id)),
+                ("solids_shadow_map", self.solids_shadow_map.as_ref().map(|bound| bound.id)),
+            ],
+        )
+    }
+}
+
+/// The modules of this file.
+pub(super) static MODULES: &[&Module] =
+    &[&DRAW_FOAM_VERTEX, &DRAW_FOAM_FRAGMENT, &DRAW_FOAM_FRAGMENT_WITH_SOLIDS_SHADOW];
+
+static BINDINGS_0: &[BindingInfo] = &[
+    BindingInfo { name: "diffuse_light", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 1, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 2, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static BINDINGS_1: &[BindingInfo] = &[
+    BindingInfo { name: "diffuse_light", slot: 0, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "inverse_depth", slot: 1, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "solids_shadow_map", slot: 2, kind: BindingKind::Texture { filterable: false } },
+    BindingInfo { name: "view", slot: 3, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "light", slot: 4, kind: BindingKind::Uniform { bytes: 112 } },
+    BindingInfo { name: "style", slot: 5, kind: BindingKind::Uniform { bytes: 80 } },
+];
+
+static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/diffuse_foam.deflate"));
+
+static DRAW_FOAM_VERTEX: Module = Module {
+    name: "DrawFoam.vertex",
+    entry: "FoamVertex",
+    stage: StageKind::Vertex,
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 548 },
+    bindings: &[],
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "diffuse/foam.hlsl",
+    hash: "c6c03ae83a5aad9ecd9dad74af2d315d28e86bc2cd4a8095d849ffe947cb3eda",
+};
+
+static DRAW_FOAM_FRAGMENT: Module = Module {
+    name: "DrawFoam.fragment",
+    entry: "FoamFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 548, bytes: 5724 },
+    bindings: BINDINGS_0,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "diffuse/foam.hlsl",
+    hash: "d8d5be8f38bb635e49eefcf4349a0dce7cf2b61c736cc5b6585f00d6cd14d81b",
+};
+
+static DRAW_FOAM_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
+    name: "DrawFoam.fragment+SOLIDS_SHADOW",
+    entry: "FoamFragment",
+    stage: StageKind::Fragment,
+    spirv: Spirv::Packed { pack: PACK, first: 6272, bytes: 10524 },
+    bindings: BINDINGS_1,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "diffuse/foam.hlsl",
+    hash: "825d50e12253e1705f9e90da4e4a4a630de304649656ca6911b99068ec33a9e7",
+};
