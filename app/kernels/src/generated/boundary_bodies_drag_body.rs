@@ -59,11 +59,11 @@ static DRAG_BODY: Module = Module {
     name: "DragBody",
     entry: "DragBody",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6396 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10704 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/drag_body.compute",
-    hash: "cf7f87032f1def574cfe72f3016b708d3e482a1f2af0b7055b8ae09237fcfc87",
+    hash: "3e63b7f327de5cee4d3e45bc2b60fb6111dd03fd290c994e085e3c98ed96e9ef",
 };

@@ -33,8 +33,15 @@ pub fn drag_body(body: &Body, state: &BodyState, drag: &BodyDrag) -> BodyState {
     let before_m_s = state.velocity_at(grip_m);
     let wanted_m_s =
         (drag.kept * before_m_s + drag.pull_per_s * (drag.target_m - grip_m)).clamp_length_max(drag.most_m_s);
+    if let Some(hinge) = body.hinge {
+        let along = hinge.axis.cross(grip_m - hinge.at_m);
+        let gained_rad_s = (wanted_m_s - before_m_s).dot(along) / along.length_squared();
+        let spin_rad_s = drag.kept_spin * (state.spin_rad_s + gained_rad_s * hinge.axis);
+        let velocity_m_s = spin_rad_s.cross(state.position_m - hinge.at_m);
+        return BodyState { velocity_m_s, spin_rad_s, ..*state };
+    }
     let frame = DMat3::from_quat(state.rotation);
-    let inverse_inertia = frame * DMat3::from_diagonal(body.inertia_kg_m2.recip()) * frame.transpose();
+    let inverse_inertia = frame * body.inertia_kg_m2.inverse() * frame.transpose();
     let across = DMat3::from_cols(arm_m.cross(DVec3::X), arm_m.cross(DVec3::Y), arm_m.cross(DVec3::Z));
     let mobility = DMat3::from_diagonal(DVec3::splat(body.mass_kg.recip())) - across * inverse_inertia * across;
     let impulse_kg_m_s = mobility.inverse() * (wanted_m_s - before_m_s);
@@ -55,10 +62,11 @@ mod tests {
         let body = Body {
             centre_of_mass_m: DVec3::new(0.0, -0.02, 0.01),
             mass_kg: 3.0,
-            inertia_kg_m2: DVec3::new(0.02, 0.05, 0.04),
+            inertia_kg_m2: DMat3::from_diagonal(DVec3::new(0.02, 0.05, 0.04)),
             added_mass_kg: 1.0,
-            added_inertia_kg_m2: DVec3::ZERO,
+            added_inertia_kg_m2: DMat3::ZERO,
             wet_per_push: 0.1,
+            hinge: None,
         };
         let state = BodyState {
             position_m: DVec3::new(0.4, 0.5, 0.6),
