@@ -221,7 +221,7 @@ impl Pool {
         let [x_m, y_m, z_m] = self.size_m();
         format!(
             "[[solid]]\nterrain = {{ size_m = [{x_m:?}, {:?}, {z_m:?}], cell_m = {:?} }}\ncentre_m = [{:?}, 0, {:?}]\n",
-            0.2 * y_m,
+            0.1 * y_m,
             x_m / 224.0,
             0.5 * x_m,
             0.5 * z_m,

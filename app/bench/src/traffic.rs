@@ -32,6 +32,8 @@ const GATHERS: &[(&str, &[&str])] = &[
     ("measure_particles", &["positions"]),
     ("anisotropy", &["positions"]),
     ("density_ratios", &["positions"]),
+    ("crest_normals", &["positions"]),
+    ("count_spawned", &["positions", "velocities", "crest_normals"]),
 ];
 
 /// Name of the binding that is the neighbour list.

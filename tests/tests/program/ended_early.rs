@@ -76,7 +76,7 @@ fn a_killed_run_leaves_a_readable_capture() {
 fn a_second_ctrl_c_ends_at_once() {
     let workshop = Workshop::new();
     // A step of 10,000 iterations takes seconds, and the first Ctrl-C waits for its end.
-    let slow = ["--set", "solver.substeps=1000", "--set", "solver.pbf.iterations=10"];
+    let slow = ["--set", "solver.substeps=200", "--set", "solver.pbf.iterations=50"];
     let arguments = [&["run", "scene.toml", "--steps", "1000", "--out", "slow"], &slow[..]].concat();
     let child = started(&workshop, &arguments, || workshop.has("slow/capture.mcap"));
     // The capture is there before the first step: one that is not under way yet would never begin, and all end in order.

@@ -116,14 +116,15 @@ fn a_body_is_taken_along_and_let_go() {
     for step in 1..=5u8 {
         table.frame(vec![Event::PointerMoved(from + (to - from) * (f32::from(step) / 5.0))]);
     }
-    table.steps(120);
+    table.steps(240);
     let held = table.body();
-    // In half a second of its time it is where the hand is, though nothing carries it there.
+    // In a second of its time it is where the hand is, though nothing carries it there.
     assert!(held.x < first.x - 0.1 && held.y > first.y + 0.1, "{first}, then {held}");
     // Held by its face it hangs below the hand, by up to half its width (16 points), and sags by some millimetres.
     assert!(table.seen(0).distance(to) < 26.0, "{:?}, and the hand is at {to:?}", table.seen(0));
     table.steps(30);
-    assert!(table.body().distance(held) < 0.02, "it stays in the hand");
+    let strayed_m = table.body().distance(held);
+    assert!(strayed_m < 0.05, "it stays in the hand: {strayed_m} m off");
     table.button(to, false);
     table.steps(60);
     assert!(table.body().y < held.y - 0.05, "let go it falls");

@@ -45,6 +45,10 @@ impl Scene {
             paths::put(&mut table, field.path, value_of(field.term?.on));
             let mut scene = Scene::deserialize(Value::Table(table)).ok()?;
             scene.name.clone_from(&self.name);
+            // What a table does not hold.
+            for (solid, own) in scene.solids.iter_mut().zip(&self.solids) {
+                solid.form = own.form.clone();
+            }
             Some(scene)
         };
         with().unwrap_or_else(|| self.clone())
@@ -65,6 +69,17 @@ mod tests {
     use super::super::fields::field_of;
     use super::super::update::UpdateRule;
     use super::*;
+
+    #[test]
+    fn a_term_leaves_solids_their_triangles() {
+        let wheel = "solid=[{ wheel = { radius_m = 0.2, width_m = 0.2 }, centre_m = [0.8, 0.3, 0.3] }]";
+        let scene = Scene::load("dam-break", &[wheel.into()]).unwrap();
+        let left_out = scene.terms_left_out();
+        assert!(!left_out.is_empty());
+        for field in left_out {
+            assert!(scene.with_term(field).solids[0].triangles().is_some(), "{}", field.path);
+        }
+    }
 
     /// A scene whose method has the field.
     fn of_method(field: &Field) -> Scene {

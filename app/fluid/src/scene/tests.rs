@@ -199,6 +199,7 @@ fn the_table_has_every_field() {
             "surface.caustics=true",
             "surface.self_shadow=true",
             "surface.auto.px_per_particle=1",
+            "diffuse={ trapped_air_min_m_s = 0.1, trapped_air_max_m_s = 1, energy_min_j_kg = 0.1, energy_max_j_kg = 1 }",
             "domain.faces={ x_min = {}, x_max = {}, y_min = {}, y_max = {}, z_min = {}, z_max = {} }",
         ],
     )
