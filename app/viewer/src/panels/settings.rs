@@ -23,13 +23,14 @@ const NAME_WIDTH: f32 = 118.0;
 /// A section's title, its name for marks, and which fields it holds.
 type Section = (&'static str, &'static str, fn(&str) -> bool);
 
-const SECTIONS: [Section; 4] = [
+const SECTIONS: [Section; 5] = [
     ("Scene", "scene", |path| path == "spacing_m" || path.starts_with("domain") || path.starts_with("fluid")),
     ("Gravity", "gravity", |path| path == "gravity_m_s2"),
     ("Solver", "solver", |path| {
         path.starts_with("solver.") || path.starts_with("forces.") || path == "outputs.measure_every_steps"
     }),
     ("Surface", "surface", |path| path.starts_with("surface.")),
+    ("Spray and foam", "diffuse", |path| path.starts_with("diffuse.")),
 ];
 
 impl Draft {
