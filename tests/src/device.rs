@@ -2,17 +2,30 @@
 
 use brooklet_check::Device;
 use brooklet_gpu::{Gpu, GpuOptions, TIERS, Tier, tier_name};
-use std::{env, sync::OnceLock};
+use std::env;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// The device that all tests of a process share: the best there is, or the one that
-/// `BROOKLET_DEVICE` (part of its name) and `BROOKLET_TIER` (`desktop`, `mobile`, `floor`) choose.
+/// Opened devices of a process: its tests share them, and those that run side by side do not wait for each other's kernels.
+const DEVICES: usize = 2;
+
+/// The device of the test that asks: the best there is, or the one that `BROOKLET_DEVICE` (part of its name) and
+/// `BROOKLET_TIER` (`desktop`, `mobile`, `floor`) choose. A thread always gets the same one.
 ///
 /// # Panics
 /// Fails the test, saying why, where no such device opens: a test without a device proves nothing.
 pub fn gpu() -> Gpu {
-    static SHARED: OnceLock<Result<Gpu, String>> = OnceLock::new();
+    static SHARED: [OnceLock<Result<Gpu, String>>; DEVICES] = [const { OnceLock::new() }; DEVICES];
+    static NEXT: AtomicUsize = AtomicUsize::new(0);
+    thread_local! {
+        // The runner has a thread for each test.
+        static OWN: usize = NEXT.fetch_add(1, Ordering::Relaxed) % DEVICES;
+    }
     let open = || open(env::var("BROOKLET_DEVICE").ok(), env::var("BROOKLET_TIER").ok());
-    SHARED.get_or_init(open).clone().unwrap_or_else(|reason| panic!("no device to test on: {reason}"))
+    SHARED[OWN.with(|own| *own)]
+        .get_or_init(open)
+        .clone()
+        .unwrap_or_else(|reason| panic!("no device to test on: {reason}"))
 }
 
 /// The same, for kernels of their own and known answers.

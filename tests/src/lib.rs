@@ -1,6 +1,7 @@
 //! Shared helpers of the integration tests: the device, single kernels, the built program, captures, seeded
 //! random numbers, sizes around block edges.
 
+pub mod afloat;
 pub mod captures;
 pub mod column;
 mod device;

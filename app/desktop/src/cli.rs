@@ -132,6 +132,10 @@ pub struct RunOptions {
     /// The timing capture's file, if not DIR/capture.mcap; replaced if it exists
     #[arg(long, value_name = "FILE", conflicts_with = "no_capture")]
     pub capture: Option<PathBuf>,
+    /// Also write the pictures as one animated WebP, DIR/clip.webp, at the pace of the scene's time
+    #[cfg(feature = "clip")]
+    #[arg(long)]
+    pub clip: bool,
     /// Print the summary as JSON, and nothing else, on standard output
     #[arg(long)]
     pub json: bool,

@@ -19,6 +19,8 @@ mod check_capture;
 #[cfg(feature = "check")]
 mod check_words;
 mod cli;
+#[cfg(feature = "clip")]
+mod clip;
 mod commit;
 mod doctor;
 mod drawn_meshes;

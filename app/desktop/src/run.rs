@@ -13,6 +13,8 @@ use brooklet_render::left_out::Recorded;
 use brooklet_render::surface::marching_cubes::MESH_FIELDS;
 use brooklet_render::{Concession, FramePasses};
 
+#[cfg(feature = "clip")]
+use crate::clip::Clip;
 use crate::{
     cli::RunOptions,
     commit::{COMMIT, VERSION},
@@ -48,9 +50,19 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let export = options.outputs.mesh.map(|format| RunMesh::new(&gpu, &scene, slots, format)).transpose()?;
     let start_relaxation = session.start_relaxation();
     let interrupt = Interrupt::listen()?;
+    #[cfg(feature = "clip")]
+    if options.clip && (scene.outputs.images == 0 || passes.is_none()) {
+        return Err(Failure::Input("--clip: the run has no pictures; --images 1 or more is allowed".into()));
+    }
 
     let default_out = Path::new("out").join(&scene.name);
     let out = OutDir::create(options.out.as_deref().unwrap_or(&default_out))?;
+    #[cfg(feature = "clip")]
+    let clip = {
+        let size_px = [scene.outputs.width_px, scene.outputs.height_px];
+        let clip = options.clip.then(|| Clip::new(out.path.join("clip.webp"), size_px)).transpose();
+        clip.inspect_err(|_| out.remove())?
+    };
     let capture_path = options.capture.clone().unwrap_or_else(|| out.path.join("capture.mcap"));
     let capture = if options.outputs.no_capture {
         None
@@ -79,6 +91,8 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
         session,
         passes,
         mesh_room,
+        #[cfg(feature = "clip")]
+        clip,
         writes_particles: options.outputs.particles.is_some(),
         files: Files::default(),
         troubles: Vec::new(),
@@ -90,6 +104,8 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let outcome = running.all(&interrupt, &bar);
     bar.finish_and_clear();
     let wall_s = begun.elapsed().as_secs_f64();
+    #[cfg(feature = "clip")]
+    let clip = running.clip.take().and_then(Clip::finish);
 
     // Whatever ended the run: what there is of it is closed and told.
     let totals = running.recorder.finish();
@@ -97,6 +113,12 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
     let plan = session.engine().plan().clone();
     troubles.extend(recorder.trouble.as_ref().map(ToString::to_string));
     troubles.extend(outcome.as_ref().err().map(|failure| format!("after {done} of {steps} steps: {}", failure.text())));
+    #[cfg(feature = "clip")]
+    if let Some((path, written)) = clip {
+        let list = if written.is_ok() { &mut files.clip } else { &mut files.not_written };
+        list.push(path.display().to_string());
+        troubles.extend(written.err().map(|failure| failure.text().to_owned()));
+    }
     files.capture = is_captured.then(|| capture_path.display().to_string());
     files.capture_complete = totals.is_some_and(|totals| totals.complete);
     let export = export.filter(|_| outcome.is_ok() && done == steps);
@@ -200,6 +222,7 @@ fn print_files(files: &Files, summary: &Summary, summary_written: bool) {
             say!("pictures  {first} to {last} ({})", files.images.len());
         }
     }
+    files.clip.iter().for_each(|clip| say!("clip      {clip}"));
     match files.particles.as_slice() {
         [] => {}
         [only] => say!("particles {only}"),

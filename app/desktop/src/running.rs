@@ -33,6 +33,9 @@ pub struct Running<'a> {
     pub passes: Option<FramePasses>,
     /// Room for its mesh, if it has one.
     pub mesh_room: Option<MeshRoom>,
+    /// Takes the pictures as well, if a clip is wanted.
+    #[cfg(feature = "clip")]
+    pub clip: Option<crate::clip::Clip>,
     /// Whether particles are written beside the pictures and at the end.
     pub writes_particles: bool,
     /// What was written, and what could not be.
@@ -146,6 +149,10 @@ impl Running<'_> {
                     self.submit(FrameRequest::default(), true)?;
                     continue;
                 }
+            }
+            #[cfg(feature = "clip")]
+            if let Some(clip) = &mut self.clip {
+                clip.add(&rgba, self.done as f64 * self.scene.solver.dt_s)?;
             }
             let Some(passes) = &self.passes else { return Ok(None) };
             return Ok(Some(Picture::of(passes).save(path, &rgba)));

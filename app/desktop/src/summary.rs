@@ -121,6 +121,8 @@ struct Device {
 pub struct Files {
     /// Pictures, in order.
     pub images: Vec<String>,
+    /// Those pictures as one file; none where it was not asked for.
+    pub clip: Vec<String>,
     /// Particle files, in order.
     pub particles: Vec<String>,
     /// The capture.

@@ -52,16 +52,20 @@ Varyings WaterVertex(uint vertex : SV_VertexID)
     return output;
 }
 
-// The scene where a point is seen: what is opaque and in front of the water is not behind it.
-float3 SceneBehind(float3 end_m, int2 own_px, float here)
+// The scene where a point is seen: what is opaque and in front of the water is not behind it. The refracted line that
+// passes what the straight one meets, by a body's edge, goes on through the water behind: `thickness_m` grows.
+float3 SceneBehind(float3 end_m, int2 own_px, float here, inout float thickness_m)
 {
     float4 clip = ClipFromOffset(view, end_m - view.eye_m);
     float2 at = clip.w > view.near_m ? float2(0.5, -0.5) * clip.xy / clip.w + 0.5 : -1.0;
-    int2 texel = int2(at * view.size_px);
     bool seen = all(at > 0.0) && all(at < 1.0);
-    float depth = scene_depth.Load(int3(seen ? texel : own_px, 0));
+    float own_depth = scene_depth.Load(int3(own_px, 0));
+    float depth = seen ? scene_depth.Load(int3(int2(at * view.size_px), 0)) : own_depth;
     if (!seen || depth > view.near_m * here)
         return scene.Load(int3(own_px, 0)).rgb;
+    float past_m = view.near_m / max(depth, 1.0e-6) - view.near_m / max(own_depth, 1.0e-6);
+    float there_m = thickness.SampleLevel(sampler_linear_clamp, at, 0.0) * surface.spacing_m;
+    thickness_m += clamp(there_m - thickness_m, 0.0, max(past_m, 0.0));
     return scene.SampleLevel(sampler_linear_clamp, at, 0.0).rgb;
 }
 
@@ -90,6 +94,6 @@ float4 WaterFragment(Varyings input) : SV_Target0
 #if defined(SOLIDS_SHADOW)
     point_.sunlight *= SunPastNear(solids_shadow_map, light, point_.position_m, 0.0);
 #endif
-    float3 behind = SceneBehind(RefractedEnd(water, point_), pixel, here);
+    float3 behind = SceneBehind(RefractedEnd(water, point_), pixel, here, point_.thickness_m);
     return float4(WaterRadiance(light, style, water, point_, behind), 1.0);
 }

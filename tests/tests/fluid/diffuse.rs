@@ -96,7 +96,7 @@ fn a_wave_spawns_as_many_as_are_counted_with_every_solver() {
     for settings in SOLVERS {
         let scene = scene(WAVE, settings);
         let mut session = session(&scene);
-        let count = run(&mut session, steps(240));
+        let count = run(&mut session, steps(160));
         let (particles, state) = slots(&mut session);
         assert!(small() || count.spawned > 300, "{settings:?}: {count:?}");
         assert_eq!(living(&particles).count() as u64, count.there(), "{settings:?}: {count:?}");

@@ -67,10 +67,11 @@ fn bits(particles: &ParticleSet) -> (&[u8], &[u8]) {
 
 #[test]
 fn particles_are_the_same_with_shared_memory_and_with_garbage() {
-    for settings in CASES {
+    for (number, settings) in CASES.iter().enumerate() {
         let scene = scene(settings);
-        // Only without relaxation do a phone's positions stand where velocities stood.
-        for relaxes in [true, false] {
+        // Only without relaxation do a phone's positions stand where velocities stood. It comes before what cases differ in:
+        // the first two show both ways.
+        for relaxes in [true, false].into_iter().filter(|relaxes| number < 2 || *relaxes == (number % 2 == 0)) {
             let apart = particles(&scene, Tier::Desktop, relaxes, Plan::without_sharing);
             assert!(apart.positions.iter().any(|at| at.position_m != [0.0; 3]) && apart.velocities.len() > 500);
             for tier in [Tier::Desktop, Tier::Floor] {

@@ -75,6 +75,7 @@ fn scene_files_that_are_none() {
     assert_refused(&workshop, &["run", "folder.toml"], &["folder.toml", "directory"]);
     assert_refused(&workshop, &["run", "no/such.toml"], &["no/such.toml", "neither a file nor a shipped scene"]);
     assert_refused(&workshop, &["run", "scene.toml/below"], &["scene.toml/below", "Not a directory"]);
+    assert_refused(&workshop, &["run", "scene.toml", "--clip"], &["--clip", "no pictures", "--images 1"]);
     assert_refused(&workshop, &["run", "dam-brake"], &["dam-brake", "did you mean dam-break"]);
     #[cfg(target_os = "linux")]
     assert_refused(&workshop, &["run", "/dev/zero"], &["/dev/zero", "1048576 bytes"]);

@@ -94,9 +94,12 @@ fn a_run_writes_pictures_particles_capture_and_summary() {
     assert!(bytes > pictureless["bytes"].as_u64().unwrap(), "pictures take memory");
 
     // What an earlier run wrote is kept.
-    workshop.succeed(&RUN);
+    workshop.succeed(&[&RUN[..], &["--clip"]].concat());
     assert_eq!(workshop.json("result/summary.json"), summary);
-    assert!(workshop.has("result-1/summary.json"));
+    let clip = &workshop.json("result-1/summary.json")["files"]["clip"];
+    assert_eq!(clip, &serde_json::json!(["result-1/clip.webp"]));
+    let bytes = std::fs::read(workshop.path("result-1/clip.webp")).unwrap();
+    assert!(bytes.starts_with(b"RIFF") && bytes.windows(4).filter(|word| word == b"ANMF").count() == 2, "two pictures");
 }
 
 #[test]

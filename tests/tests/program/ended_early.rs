@@ -75,8 +75,8 @@ fn a_killed_run_leaves_a_readable_capture() {
 #[test]
 fn a_second_ctrl_c_ends_at_once() {
     let workshop = Workshop::new();
-    // A step of 10,000 iterations takes seconds, and the first Ctrl-C waits for its end.
-    let slow = ["--set", "solver.substeps=200", "--set", "solver.pbf.iterations=50"];
+    // Two substeps of 50 iterations of 64,000 particles take seconds, and the first Ctrl-C waits for their end.
+    let slow = ["--set", "spacing_m=0.005", "--set", "solver.substeps=2", "--set", "solver.pbf.iterations=50"];
     let arguments = [&["run", "scene.toml", "--steps", "1000", "--out", "slow"], &slow[..]].concat();
     let child = started(&workshop, &arguments, || workshop.has("slow/capture.mcap"));
     // The capture is there before the first step: one that is not under way yet would never begin, and all end in order.

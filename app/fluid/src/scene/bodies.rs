@@ -141,10 +141,8 @@ pub fn bodies(scene: &Scene) -> Vec<RigidBody> {
 
 /// What a hinge makes of a body; nothing of a free one.
 fn hinged(scene: &Scene, solid: &SolidSettings, matter: &Matter, density_kg_m3: f64) -> RigidBody {
-    let Some(hinge) = solid.hinge else { return RigidBody::default() };
     let (centre_m, rotation) = beginning(solid);
-    let axis = DVec3::from_array(hinge.axis).normalize();
-    let hinge_m = hinge.at_m.map_or(centre_m, DVec3::from_array);
+    let Some((axis, hinge_m)) = hinge_line(solid, centre_m) else { return RigidBody::default() };
     let place_m = rotation.conjugate() * (hinge_m - centre_m);
     let axis_in_frame = rotation.conjugate() * axis;
     let around_m5 = |of: &MassProperties| axis_in_frame.dot(of.inertia_about_m5(place_m) * axis_in_frame);
@@ -156,6 +154,12 @@ fn hinged(scene: &Scene, solid: &SolidSettings, matter: &Matter, density_kg_m3: 
         hinge_place_m: place_m.as_vec3().to_array(),
         ..RigidBody::default()
     }
+}
+
+/// The direction and a point of the line that a body turns around, in the scene's coordinates; none of a free one.
+fn hinge_line(solid: &SolidSettings, centre_m: DVec3) -> Option<(DVec3, DVec3)> {
+    let hinge = solid.hinge?;
+    Some((DVec3::from_array(hinge.axis).normalize(), hinge.at_m.map_or(centre_m, DVec3::from_array)))
 }
 
 /// Where a body's middle begins, in the scene's coordinates, and how it is turned.
@@ -170,9 +174,10 @@ pub fn first_body_states(scene: &Scene) -> Vec<BodyState> {
         let (centre_m, rotation) = beginning(solid);
         let position_m = centre_m + rotation * matter(solid).mass.centre_of_mass_m;
         let spin_rad_s = DVec3::from_array(solid.spin_deg_s.map(f64::to_radians));
-        let hinge_m = solid.hinge.map(|hinge| hinge.at_m.map_or(centre_m, DVec3::from_array));
-        let velocity_m_s =
-            hinge_m.map_or(DVec3::from_array(solid.velocity_m_s), |at_m| spin_rad_s.cross(position_m - at_m));
+        let velocity_m_s = match hinge_line(solid, centre_m) {
+            Some((_, hinge_m)) => spin_rad_s.cross(position_m - hinge_m),
+            None => DVec3::from_array(solid.velocity_m_s),
+        };
         BodyState {
             position_m: (position_m - origin_m).as_vec3().to_array(),
             rotation: rotation.as_quat().to_array(),

@@ -259,148 +259,148 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "d314b1b7489385ede06c0cdb265fe3cb4b06b2e21dec16b9356a325e6b5933e8",
+    hash: "db74c1fb15f178834c624852a0d7b991bcb4ce81958e7f6b30281742c8934367",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
     name: "DrawWater.fragment",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 1716, bytes: 14920 },
+    spirv: Spirv::Packed { pack: PACK, first: 1716, bytes: 15296 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "0c34b4e2992d62a4305d02aab0e6ac0095d9c26f0d126d79d0a279121c3112d5",
+    hash: "47e29d5789f17c019dff1ae1e0a34dce5e317cbfe31446706bc6f12deae04307",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 16636, bytes: 18712 },
+    spirv: Spirv::Packed { pack: PACK, first: 17012, bytes: 19088 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "ad140208a792c0de7c9461c13f37bb3bc04fd0559f938afb532932d19dc29199",
+    hash: "b75ce7143daaf9a170f858c56bc218342256098873b2f83436580a97f67dea7e",
 };
 
 static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.vertex+SELF_SHADOW",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 35348, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 36100, bytes: 1716 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "36768ef9ef73d5f2bb65b70178b926a56c2673a17eaa8e01707cf9c4ba6e73f1",
+    hash: "bef9d5da7a3e281c7207744a9a00922b54fb95a29fbb4653129c93223e884c01",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.fragment+SELF_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 37064, bytes: 17736 },
+    spirv: Spirv::Packed { pack: PACK, first: 37816, bytes: 18112 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "351e4a5682ca62ff7d7fc9033a46a8f6f3f62464dc5670a29c32ad716ef95da1",
+    hash: "ad3a315c0ba696806bfdba64d26ba4d7725715e0f25fc1ded5237959e58dce95",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+SELF_SHADOW+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 54800, bytes: 21256 },
+    spirv: Spirv::Packed { pack: PACK, first: 55928, bytes: 21632 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "17560ad28c7f97344d9724507596b3638e31e9474a1e5d3743b2980e9aa001a7",
+    hash: "889939dd675b19e9fad29ca9ac53868d0fd1f183c0b58b28af16d947f8df90a3",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     name: "DrawWater.vertex+MESH_NORMALS",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 76056, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 77560, bytes: 1716 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "770fe6bd63614c176d8dd51c2667a43efd4be73b53b2ba87f89784e7121ced91",
+    hash: "1be677a5f7db608a1d57607241b6885f35068e2a8d33c2d22ef33297db61304d",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 77772, bytes: 11920 },
+    spirv: Spirv::Packed { pack: PACK, first: 79276, bytes: 12296 },
     bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "2280b8443761c8b70b9b77b27f7a9c98fa4b5ae127ec33c68a9a260f85cd7277",
+    hash: "99ca7c67494fdfaec6086e98570613482511799529f945f177217c7623fdf17a",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 89692, bytes: 15728 },
+    spirv: Spirv::Packed { pack: PACK, first: 91572, bytes: 16104 },
     bindings: BINDINGS_8,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "79bf59b9278ba6671aa251b03771fb53de1fda6423eb2b68a2a9954ec3986ed2",
+    hash: "0a015407abb6bd975c3f97bbf04279cd3b59a0c54c79f6712dc3e0c40b5761b1",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.vertex+MESH_NORMALS+SELF_SHADOW",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 105420, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 107676, bytes: 1716 },
     bindings: BINDINGS_9,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "19a298d8d04d384ee06b3ba8b1c723ac1bbe2fbfbe637a9f40ed0825a5fe3891",
+    hash: "400abcb32d4d420090b94ef932a9a578d31db6f5e3917ecad4e2ddad1044a3e5",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SELF_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 107136, bytes: 14736 },
+    spirv: Spirv::Packed { pack: PACK, first: 109392, bytes: 15112 },
     bindings: BINDINGS_10,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "ede83b25ce3ddcae2356aba51a554e632dbc2ac911dc57ca726959774f0317d4",
+    hash: "a6e928db0df971b891172237b1264a7aaa15a0e4d465aff1b6aef7015c2001c4",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SELF_SHADOW+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 121872, bytes: 18272 },
+    spirv: Spirv::Packed { pack: PACK, first: 124504, bytes: 18648 },
     bindings: BINDINGS_11,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "18d4048d4848227ecb19fb5c6384682e50e5838fd9ba53093445e27d84a41f0a",
+    hash: "3da75f0e2e6cbe93f16a9d3b304f0b6ea2303c3d771ea473ae8747721d0285d8",
 };

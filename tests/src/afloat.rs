@@ -1,0 +1,77 @@
+//! Pools with one body, and what says how it floats.
+
+use brooklet_fluid::Scene;
+use brooklet_fluid::scene::body_mass_kg;
+use brooklet_kernels::BodyState;
+
+/// A flat box, whose proportions are stable at every density.
+pub const FLAT_BOX: &str = "box = { size_m = [0.2, 0.1, 0.2] }";
+
+/// Height of that box, and of any shape that stands for it, m.
+pub const HEIGHT_M: f64 = 0.1;
+/// Surface of the pool's ground, m².
+const GROUND_M2: f64 = 0.4 * 0.4;
+
+/// A shape as high as [`HEIGHT_M`] in a pool, afloat where it will be.
+pub fn floating(shape: &str, density_kg_m3: f64, method: &str, spacing_m: f64) -> Scene {
+    let text = format!(
+        "spacing_m = {spacing_m}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.4, 0.3, 0.4]\n\
+         [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.4, 0.15, 0.4] }}\n\
+         [[solid]]\n{shape}\ncentre_m = [0.2, {}, 0.2]\ndensity_kg_m3 = {density_kg_m3}\n\
+         [solver]\nmethod = \"{method}\"\n[outputs]\nmeasure_every_steps = 1\n",
+        0.2 - HEIGHT_M * density_kg_m3 / 1000.0,
+    );
+    Scene::from_toml(&text, "floating", &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// How deep it is in the water, m: of the fluid's volume, the body's, and the ground's surface.
+pub fn draft_m(scene: &Scene, state: &BodyState) -> f64 {
+    let mass_kg = scene.particle_count() as f64 * scene.particle_mass_kg() + body_mass_kg(&scene.solids[0]);
+    mass_kg / 1000.0 / GROUND_M2 - (f64::from(state.position_m[1]) - 0.5 * HEIGHT_M)
+}
+
+/// A long square prism, half as heavy as water, which floats on its edge (45 degrees), nearly flat.
+pub fn prism(method: &str, spacing_m: f64) -> Scene {
+    let text = format!(
+        "spacing_m = {spacing_m}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.5, 0.4, 0.4]\n\
+         [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.5, 0.2, 0.4] }}\n\
+         [[solid]]\nbox = {{ size_m = [0.14, 0.14, 0.36] }}\nturned_deg = [0, 0, 8]\ncentre_m = [0.25, 0.21, 0.2]\n\
+         density_kg_m3 = 500\n[solver]\nmethod = \"{method}\"\n"
+    );
+    Scene::from_toml(&text, "prism", &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// By how much a body is turned around z, degrees, of a shape that a quarter turn leaves as it is: -45 to 45.
+pub fn turned_around_z_deg(state: &BodyState) -> f64 {
+    let [_, _, z, w] = state.rotation.map(f64::from);
+    let turned_deg = 2.0 * z.atan2(w).to_degrees();
+    turned_deg - 90.0 * (turned_deg / 90.0).round()
+}
+
+/// A ball as heavy as water in the middle of a pool.
+pub fn neutral(method: &str, spacing_m: f64) -> Scene {
+    let text = format!(
+        "spacing_m = {spacing_m}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.4, 0.5, 0.4]\n\
+         [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.4, 0.4, 0.4] }}\n\
+         [[solid]]\nsphere = {{ radius_m = 0.08 }}\ncentre_m = [0.2, 0.2, 0.2]\ndensity_kg_m3 = 1000\n\
+         [solver]\nmethod = \"{method}\"\n"
+    );
+    Scene::from_toml(&text, "neutral", &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turns_are_told_up_to_a_quarter() {
+        for (turned_deg, told_deg) in
+            [(0.0_f64, 0.0), (8.0, 8.0), (44.0, 44.0), (46.0, -44.0), (90.0, 0.0), (-100.0, -10.0)]
+        {
+            let half = 0.5 * turned_deg.to_radians();
+            let state =
+                BodyState { rotation: [0.0, 0.0, half.sin() as f32, half.cos() as f32], ..BodyState::default() };
+            assert!((turned_around_z_deg(&state) - told_deg).abs() < 1e-4, "{turned_deg}");
+        }
+    }
+}
