@@ -48,7 +48,7 @@ fn plain(rng: &mut ChaCha8Rng) -> Times {
 #[test]
 fn the_same_against_the_same_raises_one_alarm_in_20_at_most() {
     let mut rng = ChaCha8Rng::seed_from_u64(20_261_122);
-    let comparisons = 200;
+    let comparisons = 100;
     let (mut beyond, mut told) = (0, 0);
     for _ in 0..comparisons {
         let comparison = Comparison::of(&plain(&mut rng), &plain(&mut rng));
@@ -58,8 +58,8 @@ fn the_same_against_the_same_raises_one_alarm_in_20_at_most() {
     }
     println!("of {comparisons}: {beyond} alarms beyond 5 %, {told} with any pass told apart");
     assert!(beyond * 20 <= comparisons, "{beyond} alarms beyond 5 % in {comparisons}");
-    // 5 % by design; 200 draws of that have a standard error of 1.5 %, and three of them are allowed for.
-    assert!(told * 1000 <= 96 * comparisons, "{told} of {comparisons} told passes apart that are the same");
+    // 5 % by design; 100 draws of that have a standard error of 2.2 %, and three of them are allowed for.
+    assert!(told * 1000 <= 115 * comparisons, "{told} of {comparisons} told passes apart that are the same");
 }
 
 #[test]

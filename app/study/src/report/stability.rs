@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::heat::Heat;
 use super::work_precision::{class_of, short};
-use crate::stability::{Also, Map, ROWS, row_tasks};
+use crate::stability::{Map, ROWS, row_tasks};
 use crate::{Outcome, State, Store, Task, Verdict};
 
 fn found(quick: bool, store: &Store) -> Vec<(Task, &Outcome)> {
@@ -63,9 +63,6 @@ pub fn section(quick: bool, store: &Store) -> Markup {
             tbody {
                 @for row in ROWS {
                     @let of: Vec<&(Task, &Outcome)> = found.iter().filter(|(task, _)| task.case == row.name).collect();
-                    @if let Also::Waits(needs) = row.also {
-                        tr.grey { td { (row.number) } td { (row.name) } td colspan="4" { "waits for " (needs) } }
-                    }
                     @for (line, (task, outcome)) in of.iter().enumerate() {
                         tr class=(class_of(outcome.state)) {
                             td { @if line == 0 { (row.number) } }

@@ -7,7 +7,7 @@ mod rows;
 
 pub use map::{Cell, Map, cell_cost, map_tasks, run_cell};
 pub use pairwise::covering;
-pub use rows::{Also, ROWS, Row, row_cost, row_tasks, run_row};
+pub use rows::{ROWS, Row, row_cost, row_tasks, run_row};
 
 /// Part of a study: extreme cases.
 pub const ROWS_PART: &str = "stability";

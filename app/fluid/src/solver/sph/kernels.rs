@@ -1,6 +1,8 @@
 //! The kernels of SPH's terms as polynomials of 1 - q and 1 - 2 q, each scaled on the scene's lattice. (Shader:
 //! `solver/sph/kernels.hlsli`.)
 
+use std::sync::OnceLock;
+
 use brooklet_kernels::{SmoothingKernelParams, SphKernels};
 
 use crate::boundary::{WallScales, fitted_wall_kernel_fraction, share, share_slope};
@@ -155,13 +157,21 @@ pub(crate) fn shear_beyond(scene: &Scene) -> f64 {
     sum(scene, |step, q| if step[1] > 0 { viscosity.at(q) * 2.0 * f64::from(step[1]) } else { 0.0 })
 }
 
+/// [`fitted_wall_kernel_fraction`] of a kernel, fitted once: every plan asks for it, and it takes a million values of W.
+fn wall_fraction(dimensions: u32, kernel: SmoothingKernel) -> [f64; 4] {
+    const KERNELS: usize = SmoothingKernel::Wendland as usize + 1;
+    static FITTED: [[OnceLock<[f64; 4]>; KERNELS]; 2] = [const { [const { OnceLock::new() }; KERNELS] }; 2];
+    let of = &FITTED[usize::from(dimensions == 2)][kernel as usize];
+    *of.get_or_init(|| fitted_wall_kernel_fraction(dimensions, |q| shape(kernel).at(q)))
+}
+
 fn walls_of(scene: &Scene, kernel: SmoothingKernel) -> SmoothingKernelParams {
     let wendland = smoothing_kernel_params(scene);
     if kernel == SmoothingKernel::Wendland {
         return wendland;
     }
     let shape = shape(kernel);
-    let fraction = fitted_wall_kernel_fraction(scene.domain.dimensions, |q| shape.at(q));
+    let fraction = wall_fraction(scene.domain.dimensions, kernel);
     let scales = WallScales::of(scene.domain.dimensions, scene.solver.support_ratio, |q| shape.at(q), fraction);
     SmoothingKernelParams {
         wall_plane: scales.plane as f32,

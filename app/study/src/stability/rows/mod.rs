@@ -33,8 +33,8 @@ pub struct Row {
     pub name: &'static str,
     /// What is expected.
     pub expected: &'static str,
-    /// What runs; none where the row waits for something.
-    pub setup: Option<fn(&[String]) -> SetupResult>,
+    /// What runs.
+    pub setup: fn(&[String]) -> SetupResult,
     /// What else it must do.
     pub also: Also,
     /// Particles that are not finite from the start.
@@ -46,7 +46,7 @@ pub struct Row {
 impl Row {
     /// Whether a solver runs it.
     fn is_of(&self, method: &str) -> bool {
-        self.setup.is_some() && (self.needs.is_empty() || own_path(method, self.needs).is_some())
+        self.needs.is_empty() || own_path(method, self.needs).is_some()
     }
 }
 
@@ -64,8 +64,6 @@ pub enum Also {
     EqualsTwin(f64),
     /// Refused with a reason.
     Refused,
-    /// Waits; says for what.
-    Waits(&'static str),
 }
 
 const SWITCHES: [&str; 2] = ["false", "true"];
@@ -146,8 +144,7 @@ fn row(name: &str) -> Option<&'static Row> {
 
 /// Particle iterations of a row.
 pub fn row_cost(task: &Task) -> Option<f64> {
-    let setup = row(&task.case)?.setup?;
-    Some(setup(&task.settings).ok()?.particle_iterations())
+    Some((row(&task.case)?.setup)(&task.settings).ok()?.particle_iterations())
 }
 
 /// Runs a row.
@@ -156,10 +153,7 @@ pub fn row_cost(task: &Task) -> Option<f64> {
 /// If there is no such row, or no such device.
 pub fn run_row(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, StudyError> {
     let row = row(&task.case).ok_or_else(|| StudyError::Unknown(format!("there is no row '{}'", task.case)))?;
-    let Some(make) = row.setup else {
-        return Ok(Some(Outcome::empty(State::NotRun, row.expected)));
-    };
-    let setup = match make(&task.settings) {
+    let setup = match (row.setup)(&task.settings) {
         Ok(setup) => setup,
         Err(error) => return Ok(Some(refused(row, error.to_string()))),
     };
@@ -176,7 +170,7 @@ pub fn run_row(session: &Session<'_>, task: &Task) -> Result<Option<Outcome>, St
     let mut figures = every_row(&setup, &run, row.injected);
     figures.extend(energy::figures(&setup, &run, energy::RISE));
     match row.also {
-        Also::Refused | Also::Waits(_) => {}
+        Also::Refused => {}
         Also::Rests => figures.extend(rests(&setup, &run)),
         Also::Figures(of) => figures.extend(of(&setup, &run)),
         Also::Equals(make, scale, limit) => {
@@ -321,8 +315,10 @@ mod tests {
     #[test]
     fn every_row_that_should_run_has_a_sound_setup() {
         for (row, method) in ROWS.iter().flat_map(|row| METHODS.iter().map(move |method| (row, method))) {
-            let (Some(make), true) = (row.setup, row.is_of(method.name)) else { continue };
-            match make(&[method.setting()]) {
+            if !row.is_of(method.name) {
+                continue;
+            }
+            match (row.setup)(&[method.setting()]) {
                 Ok(setup) => assert!(setup.count() > 0 && setup.count() <= 6_000, "{}: {}", row.name, setup.count()),
                 Err(error) => assert!(matches!(row.also, Also::Refused), "{}, {}: {error}", row.name, method.name),
             }

@@ -126,6 +126,41 @@ pub(super) fn viscous(settings: &[String]) -> SetupResult {
     }
 }
 
+pub(super) fn density_ratio(settings: &[String]) -> SetupResult {
+    let more = "[[solid]]
+        box = { size_m = [0.1, 0.06, 0.1] }
+        centre_m = [0.12, 0.13, 0.12]
+        density_kg_m3 = 100
+        [[solid]]
+        sphere = { radius_m = 0.05 }
+        centre_m = [0.28, 0.08, 0.28]
+        density_kg_m3 = 10000";
+    Setup::new("density-ratio", &pool([0.4, 0.3, 0.4], [0.4, 0.1, 0.4], more), settings, 3.0, 8)
+}
+
+/// Of the wall below.
+const WALL_M_S: f64 = 4.7;
+
+/// A wall that stands in water, and is then driven through it for a third of a tenth of a second.
+pub(super) fn moving_wall(settings: &[String]) -> SetupResult {
+    let (begins_s, way_m) = (0.1, 0.15);
+    let ends_s = begins_s + way_m / WALL_M_S;
+    let key =
+        |time_s: f64, x_m: f64| format!("[[solid.keyframe]]\ntime_s = {time_s}\ncentre_m = [{x_m}, 0.25, 0.08]\n");
+    let keys = [key(0.0, 0.06), key(begins_s, 0.06), key(ends_s, 0.06 + way_m)].concat();
+    let more = format!("[[solid]]\nbox = {{ size_m = [0.04, 0.46, 0.14] }}\n{keys}");
+    Setup::new("moving-wall", &pool([0.6, 0.5, 0.16], [0.6, 0.1, 0.16], &more), settings, 0.4, 40)
+}
+
+/// A wall that nothing gives way to throws what it meets at twice its speed, and no faster.
+pub(super) fn bounded_ejection(_: &Setup, run: &GpuRun) -> Vec<Figure> {
+    let fastest_m_s = run.measured.iter().map(|measured| measured.stats.max_speed_m_s).fold(0.0, f64::max);
+    vec![
+        Figure::judged("fastest over the wall", fastest_m_s / WALL_M_S, "", 2.0, "of what stands and is met by a wall"),
+        Figure::at_least("pushed", fastest_m_s / WALL_M_S, "", 0.5, "the wall meets water"),
+    ]
+}
+
 /// Compression at the bottom of a column, by the law of iterations or by the equation of state, p = rho g H.
 fn bottom_compression(setup: &Setup, column: &Column) -> f64 {
     let sph = &setup.scene.solver.sph;
