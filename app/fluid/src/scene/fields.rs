@@ -3,6 +3,9 @@
 //! out, and what a study turns it through. The checks and their messages, the editors' schema, the window's sliders, the
 //! reasons of `brooklet plan` and the study's knobs are made from it.
 
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
 use super::faces::Slip;
 use super::field::{Field, Kind, Limits};
 use super::mesh_shapes::Relief;
@@ -404,14 +407,10 @@ pub(crate) fn kind_of(path: &str) -> Option<Kind> {
     field_of(path).map(|field| field.kind)
 }
 
-/// The row of the field at `path`; none if there is no such field.
+/// The row of the field at `path`; none if there is no such field. Each check of a scene asks for all of them.
 pub(crate) fn field_of(path: &str) -> Option<&'static Field> {
-    let matches = |field: &str| {
-        let mut steps = path.split('.');
-        let same = field.split('.').all(|wanted| {
-            steps.next().is_some_and(|step| step == wanted || (wanted == "*" && step.parse::<usize>().is_ok()))
-        });
-        same && steps.next().is_none()
-    };
-    FIELDS.iter().find(|field| matches(field.path))
+    static ROWS: LazyLock<HashMap<&str, &Field>> =
+        LazyLock::new(|| FIELDS.iter().rev().map(|field| (field.path, field)).collect());
+    let any = |step| if str::parse::<usize>(step).is_ok() { "*" } else { step };
+    ROWS.get(path).or_else(|| ROWS.get(&*path.split('.').map(any).collect::<Vec<_>>().join("."))).copied()
 }
