@@ -30,6 +30,7 @@ mod step_params;
 
 pub use body_motion::BodyMotion;
 pub use measure::Stats;
+pub use particles::buffers::Particles;
 pub use scene::{Scene, SceneError, shipped_scenes};
 pub use session::{
     FrameRequest, ParticleSource, Relaxation, Session, SessionError, SessionPlan, SessionRecorder, SessionReport,
@@ -40,5 +41,5 @@ pub use slots::{Slots, visit_slots};
 pub use smoothing_kernel_params::smoothing_kernel_params;
 pub use stat_fields::{STAT_FIELDS, StatField, captured_fields, captured_values};
 pub use step::{Recorded, RecordedMeasure, RecordedRelaxation, record, record_count, record_particles};
-pub use step_context::{Particles, StepContext};
+pub use step_context::StepContext;
 pub use step_params::step_params;

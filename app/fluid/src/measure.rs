@@ -12,9 +12,10 @@ use brooklet_kernels::{
 
 use crate::boundary::solids::Solids;
 use crate::grid::{NeighbourSearch, Neighbours};
+use crate::particles::buffers::Particles;
 use crate::scene::Scene;
 use crate::slots::Slots;
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 
 /// The measuring stages' buffers.
 pub struct Measuring {

@@ -8,15 +8,16 @@ use brooklet_kernels::{
 
 use crate::body_motion::BodyMotion;
 use crate::boundary::bodies::BodyBuffers;
-use crate::diffuse::DiffuseSlots;
+use crate::diffuse::{Diffuse, DiffuseSlots};
 use crate::forces::BodyForces;
 use crate::grid::Neighbours;
 use crate::measure::{Densities, Measuring};
+use crate::particles::buffers::Particles;
 use crate::particles::{ParticleSet, sample_lattice};
 use crate::scene::{Scene, poses_before};
 use crate::slots::Slots;
 use crate::solver::Solver;
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 use crate::step_params::step_params;
 
 /// A scene as recordings, and the buffers others read.
@@ -151,6 +152,7 @@ pub fn record_particles(resources: &mut Resources, scene: &Scene, mut particles:
 /// them. None is visited until `Engine::write` has given particles and a [`Slots::state_of`].
 pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> Recorded {
     let mut context = StepContext::declare(resources, scene, capacity);
+    let mut diffuse = Diffuse::declare(resources, scene, capacity);
     let mut particles = Particles::declare(resources, capacity);
     let mut body_forces = BodyForces::declare(resources, scene);
     let mut solver = Solver::declare(resources, scene, capacity);
@@ -167,7 +169,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
     if let Some(solids) = &mut context.solids {
         solids.record_init(&mut init, scene);
     }
-    if let Some(diffuse) = &mut context.diffuse {
+    if let Some(diffuse) = &mut diffuse {
         diffuse.record_init(&mut init, scene);
     }
     if let Some(sources) = &mut context.sources {
@@ -193,11 +195,9 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
             drag_walls.record(&mut step, &context, search, &mut particles);
         }
         let is_last = substep == scene.substeps();
-        if let Some(mut diffuse) = context.diffuse.take_if(|diffuse| diffuse.each_substep || is_last) {
-            if let Some(search) = solver.search() {
-                diffuse.record(&mut step, &mut context, search, &particles);
-            }
-            context.diffuse = Some(diffuse);
+        let due = diffuse.as_mut().filter(|diffuse| diffuse.each_substep || is_last);
+        if let (Some(diffuse), Some(search)) = (due, solver.search()) {
+            diffuse.record(&mut step, &mut context, search, &particles);
         }
         // Nothing but particles and their slots lasts from one to the next.
         step.forget_transients();
@@ -228,7 +228,7 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
         solid_poses: context.solids.as_ref().map(|solids| solids.poses().alias()),
         bodies: context.solids.as_ref().and_then(|solids| solids.bodies().map(BodyBuffers::alias)),
         emitter_states: context.sources.as_ref().and_then(|sources| sources.emitter_states()).map(Buffer::alias),
-        diffuse: context.diffuse.as_ref().map(|diffuse| diffuse.slots().alias()),
+        diffuse: diffuse.as_ref().map(|diffuse| diffuse.slots().alias()),
         step_params: context.step.alias(),
         pbf_params: solver.pbf_params().map(Buffer::alias),
         slots: context.slots,

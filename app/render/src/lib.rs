@@ -6,6 +6,7 @@
 
 pub mod camera;
 pub mod diffuse;
+mod diffuse_look;
 pub mod error;
 pub mod formats;
 pub mod frame;

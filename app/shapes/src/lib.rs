@@ -8,6 +8,7 @@ mod check;
 mod field;
 #[cfg(all(test, feature = "import"))]
 mod file_tests;
+mod grid;
 mod hull;
 #[cfg(feature = "import")]
 pub mod import;

@@ -7,7 +7,7 @@
 
 use glam::{DVec3, IVec3};
 
-use crate::field::Grid;
+use crate::grid::Grid;
 use crate::threads;
 
 /// Of a kernel's radius, between two points of the lattice at most.

@@ -43,6 +43,7 @@ mod playback;
 mod pointer;
 mod presenter;
 mod quality;
+mod reach;
 mod recorder;
 mod reload;
 pub mod style;

@@ -6,9 +6,10 @@ use brooklet_kernels::{Buffer, WallFace};
 
 use super::{share_slope, wall_kernel_fraction};
 use crate::grid::NeighbourSearch;
+use crate::particles::buffers::Particles;
 use crate::scene::{Method, Scene, Slip};
 use crate::solver::sph::shear_beyond;
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 
 /// What the faces of a scene are told, if any of them drags.
 pub struct DragWalls {

@@ -13,7 +13,7 @@ use brooklet_kernels::{
 };
 
 use super::bodies::{Around, Bodies, BodyBuffers};
-use crate::diffuse::DiffuseSlots;
+use crate::diffuse::slots::DiffuseSlots;
 use crate::scene::{Scene, body_count, field_nodes, solids, surface_point_count};
 use crate::slots::Slots;
 

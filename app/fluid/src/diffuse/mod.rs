@@ -6,38 +6,22 @@
 //! a scan of what each fluid particle spawns gives everyone a slot, so that a deterministic scene stays so. Nothing is read back, and
 //! nothing of it is in the plan of a scene without `[diffuse]`.
 
+pub(crate) mod slots;
+
 use std::mem::offset_of;
 
-use brooklet_gpu::{DrawState, Recording, Resources, Targets};
+use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    AdvectDiffuse, AdvectDiffuseVariant, Buffer, CountSpawned, CrestNormals, DiffuseParams, DiffuseParticle,
-    DiffuseState, Draw, SettleDiffuse, SpawnDiffuse,
+    AdvectDiffuse, AdvectDiffuseVariant, Buffer, CountSpawned, CrestNormals, DiffuseParams, DiffuseState,
+    SettleDiffuse, SpawnDiffuse,
 };
 
 use crate::grid::{NeighbourSearch, Scan};
+use crate::particles::buffers::Particles;
 use crate::scene::{DiffuseSettings, Scene};
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 
-/// The slots of diffuse particles.
-pub struct DiffuseSlots {
-    /// What stands in them.
-    pub particles: Buffer<DiffuseParticle>,
-    /// Which of them are in use.
-    pub state: Buffer<DiffuseState>,
-}
-
-impl DiffuseSlots {
-    /// The same slots, for another owner.
-    pub fn alias(&self) -> Self {
-        Self { particles: self.particles.alias(), state: self.state.alias() }
-    }
-
-    /// Draws a triangle for each slot in use.
-    pub fn draw<D: Draw>(&self, recording: &mut Recording, draw: &D, targets: &Targets<'_>, state: DrawState) {
-        let offset = offset_of!(DiffuseState, vertex_count) as u32;
-        recording.draw_indirect(draw, targets, state, &self.state, offset, self.particles.len);
-    }
-}
+pub use slots::DiffuseSlots;
 
 /// The diffuse particles of a scene.
 pub struct Diffuse {

@@ -4,8 +4,8 @@ use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{Buffer, CountCompacted, FillHoles, ListMovers, MarkActive};
 
 use crate::grid::Scan;
+use crate::particles::buffers::Particles;
 use crate::slots::Slots;
-use crate::step_context::Particles;
 
 /// What a compaction of slots needs.
 pub struct Compaction {

@@ -6,9 +6,9 @@ use brooklet_kernels::{
 };
 
 use crate::grid::Scan;
+use crate::particles::buffers::Particles;
 use crate::scene::{Method, Scene, drains};
 use crate::slots::Slots;
-use crate::step_context::Particles;
 
 /// What takes particles out of a scene.
 pub struct Drains {

@@ -9,9 +9,9 @@ use brooklet_kernels::{
     GuideParticles, Keyframe, OpenEmitters,
 };
 
+use crate::particles::buffers::Particles;
 use crate::scene::{Scene, emitters};
 use crate::slots::Slots;
-use crate::step_context::Particles;
 
 /// The emitters of a scene.
 pub struct Emitters {

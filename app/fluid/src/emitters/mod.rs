@@ -11,9 +11,9 @@ mod emit;
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{Buffer, Counters, EmitterState};
 
+use crate::particles::buffers::Particles;
 use crate::scene::{Method, Scene};
 use crate::slots::Slots;
-use crate::step_context::Particles;
 pub use compact::Compaction;
 pub use drains::{Drains, drain_params};
 pub use emit::{Emitters, emission_params};

@@ -3,8 +3,9 @@
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{ApplyFields, Buffer, ForceField, ForceFieldCount};
 
+use crate::particles::buffers::Particles;
 use crate::scene::Scene;
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 
 /// The fields of a scene.
 pub struct BodyForces {

@@ -21,9 +21,9 @@ use brooklet_kernels::{
     RankById, Reorder, ReorderVariant, ScatterCellMembers, Velocity,
 };
 
+use crate::particles::buffers::Particles;
 use crate::scene::{Precision, Scene};
 use crate::slots::Slots;
-use crate::step_context::Particles;
 
 /// Cells of the domain along each axis. Half the support wide: rows of cells then fit the support sphere so
 /// closely that about half as many candidates are looked at as with cells of h.

@@ -4,9 +4,10 @@ use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{Buffer, SmoothingKernelParams};
 
 use super::{Grid, Neighbours, Sorted, params};
+use crate::particles::buffers::Particles;
 use crate::scene::Scene;
 use crate::smoothing_kernel_params::smoothing_kernel_params;
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 
 /// The grid, the particles in its order, their lists, and the kernel that weighs neighbours.
 pub struct NeighbourSearch {

@@ -3,7 +3,8 @@
 use brooklet_gpu::Recording;
 use brooklet_kernels::{Advect, AdvectVariant, Buffer, KickParams};
 
-use crate::step_context::{Particles, StepContext};
+use crate::particles::buffers::Particles;
+use crate::step_context::StepContext;
 
 /// Moves particles; with the last substep's accelerations, by slot, and how they are split around the move.
 pub fn advect(

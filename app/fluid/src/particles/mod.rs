@@ -1,6 +1,7 @@
 //! Particles: where they start, the same fluid at another spacing, and the prediction that begins each substep.
 
 mod advect;
+pub(crate) mod buffers;
 mod predict;
 mod resample;
 mod sample_lattice;

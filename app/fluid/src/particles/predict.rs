@@ -3,7 +3,8 @@
 use brooklet_gpu::Recording;
 use brooklet_kernels::{Predict, PredictVariant};
 
-use crate::step_context::{Particles, StepContext};
+use crate::particles::buffers::Particles;
+use crate::step_context::StepContext;
 
 /// Records v += g dt, x += v dt, and what the domain's faces make of it.
 pub fn predict(recording: &mut Recording, context: &mut StepContext, particles: &mut Particles) {

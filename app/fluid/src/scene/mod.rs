@@ -27,6 +27,7 @@ mod none;
 mod panel;
 mod paths;
 mod pbf;
+mod poses;
 #[cfg(feature = "schema")]
 mod schema;
 mod settings;
@@ -62,10 +63,11 @@ pub use mesh_shapes::{HullShape, MeshShape, Relief, TerrainShape, WheelShape};
 pub use none::NoneSettings;
 pub use panel::Setting;
 pub use pbf::{Acceleration, PbfSettings};
+pub use poses::poses_before;
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use shipped::shipped_scenes;
-pub use solid_shapes::{SolidSurface, poses_before, solids};
+pub use solid_shapes::{SolidSurface, solids};
 pub use solids::{
     BoxShape, HingeSettings, KeyframeSettings, OpenFaces, RoundShape, Shape, SolidLook, SolidSettings, SphereShape,
 };

@@ -2,13 +2,10 @@
 
 use std::sync::Arc;
 
-use brooklet_kernels::{
-    BodyState, Keyframe, MAX_SOLIDS, NO_BODY, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, SHAPE_FIELD, Solid, SolidPose,
-};
+use brooklet_kernels::{Keyframe, MAX_SOLIDS, NO_BODY, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, SHAPE_FIELD, Solid};
 use brooklet_shapes::Field;
-use glam::{DQuat, DVec2, DVec3, Quat, Vec3};
+use glam::{DQuat, DVec2, DVec3};
 
-use super::bodies::bodies;
 use super::forms::fields;
 use super::{Scene, Shape, SolidSettings};
 
@@ -183,30 +180,6 @@ fn field_of(field: Option<Arc<Field>>, fields: &[(Arc<Field>, u32)]) -> Solid {
         first_field_node: *first,
         ..Solid::default()
     })
-}
-
-/// Where the solids of a scene are before a step moves them: bodies as `states` has them, others as they begin.
-pub fn poses_before(scene: &Scene, states: &[BodyState]) -> Vec<SolidPose> {
-    let (solids, keyframes) = solids(scene);
-    let bodies = bodies(scene);
-    let pose = |solid: &Solid| {
-        let mut first = keyframes.get(solid.first_keyframe as usize).copied().unwrap_or_default();
-        let body = solid.body as usize;
-        if let (Some(body), Some(state)) = (bodies.get(body), states.get(body)) {
-            let rotation = Quat::from_array(state.rotation);
-            let to_middle_m = rotation * Vec3::from_array(body.centre_of_mass_m);
-            first.position_m = (Vec3::from_array(state.position_m) - to_middle_m).to_array();
-            first.rotation = state.rotation;
-        }
-        SolidPose {
-            position_m: first.position_m,
-            rotation: first.rotation,
-            before_m: first.position_m,
-            rotation_before: first.rotation,
-            ..SolidPose::default()
-        }
-    };
-    solids.iter().map(pose).collect()
 }
 
 /// How far a place of a shape's frame is from its surface, m; negative inside.

@@ -10,8 +10,9 @@ use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{Buffer, PbfParams, WarmStart};
 
 use crate::grid::NeighbourSearch;
+use crate::particles::buffers::Particles;
 use crate::scene::{Method, Scene};
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 use dfsph::Dfsph;
 use none::NonInteracting;
 use pbf::Pbf;

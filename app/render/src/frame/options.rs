@@ -5,7 +5,7 @@ use brooklet_fluid::scene::PointColor;
 use brooklet_kernels::{MeshCounts, Tier};
 
 use crate::RenderError;
-use crate::diffuse::DiffuseLook;
+use crate::diffuse_look::DiffuseLook;
 use crate::surface::marching_cubes::MeshRoom;
 use crate::surface::{MarchingCubesOptions, SurfaceOptions};
 

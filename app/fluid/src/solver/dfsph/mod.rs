@@ -24,9 +24,10 @@ use brooklet_kernels::{
 use crate::forces::Forces;
 use crate::grid::NeighbourSearch;
 use crate::particles::advect;
+use crate::particles::buffers::Particles;
 use crate::scene::Scene;
 use crate::solver::pbf::CoarseCorrection;
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 use pressure_solve::PressureSolving;
 
 /// The solver's buffers.

@@ -4,8 +4,9 @@
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{BounceWalls, Buffer, IntegrateParticles, IntegrateParticlesVariant, NoneParams};
 
+use crate::particles::buffers::Particles;
 use crate::scene::Scene;
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 
 /// Their settings.
 pub struct NonInteracting {

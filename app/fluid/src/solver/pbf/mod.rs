@@ -20,10 +20,11 @@ use brooklet_kernels::{Buf, BufMut, Buffer, PbfIteration, PbfParams, PositionLam
 
 use crate::forces::Forces;
 use crate::grid::NeighbourSearch;
+use crate::particles::buffers::Particles;
 use crate::particles::predict;
 use crate::scene::Scene;
 use crate::smoothing_kernel::{lattice, wendland};
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 pub use chebyshev::{Chebyshev, Weights};
 pub(super) use coarse_correction::{CoarseCorrection, levels as coarse_levels};
 pub(crate) use coarse_correction::{MAX_CELLS, are_few_cells, finest_cells, narrow_axis};

@@ -4,7 +4,8 @@ use brooklet_gpu::Recording;
 use brooklet_kernels::{UpdateVelocity, UpdateVelocityVariant, VelocityKeyword};
 
 use crate::grid::{NeighbourSearch, Sorted};
-use crate::step_context::{Particles, StepContext};
+use crate::particles::buffers::Particles;
+use crate::step_context::StepContext;
 
 /// What becomes of velocities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

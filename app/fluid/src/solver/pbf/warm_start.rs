@@ -6,8 +6,9 @@ use brooklet_kernels::{Buffer, KeepPressure, KeepPressureVariant, PbfParams, Sta
 
 use super::Lambdas;
 use crate::grid::NeighbourSearch;
+use crate::particles::buffers::Particles;
 use crate::scene::Scene;
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 
 /// The largest share of it: in f64 energy rose at .4, and from .5 on slow modes grew whatever the number of iterations
 /// (`app/study/FINDINGS.md`).

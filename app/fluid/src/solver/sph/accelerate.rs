@@ -4,7 +4,8 @@ use brooklet_gpu::Recording;
 use brooklet_kernels::{Accelerate, AccelerateVariant};
 
 use super::{Gathered, Sph};
-use crate::step_context::{Particles, StepContext};
+use crate::particles::buffers::Particles;
+use crate::step_context::StepContext;
 
 pub(super) fn accelerate(recording: &mut Recording, sph: &mut Sph, context: &StepContext, particles: &mut Particles) {
     let (velocity_pressures, velocity_pressure_normals) = match &sph.gathered {

@@ -4,7 +4,8 @@ use brooklet_gpu::Recording;
 use brooklet_kernels::{ComputeDensity, ComputeDensityVariant};
 
 use super::{Gathered, Sph};
-use crate::step_context::{Particles, StepContext};
+use crate::particles::buffers::Particles;
+use crate::step_context::StepContext;
 
 /// Of the sorted particles, which from then on are the particles.
 pub(super) fn compute_density(

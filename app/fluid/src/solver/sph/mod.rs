@@ -17,8 +17,9 @@ use brooklet_kernels::{
 
 use crate::grid::NeighbourSearch;
 use crate::particles::advect;
+use crate::particles::buffers::Particles;
 use crate::scene::Scene;
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 use accelerate::accelerate;
 use compute_density::compute_density;
 pub(crate) use kernels::shear_beyond;

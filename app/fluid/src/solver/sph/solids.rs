@@ -8,8 +8,9 @@ use brooklet_kernels::{
 
 use super::{Gathered, Sph};
 use crate::boundary::solids::Solids;
+use crate::particles::buffers::Particles;
 use crate::slots::Slots;
-use crate::step_context::{Particles, StepContext};
+use crate::step_context::StepContext;
 
 /// To what `compute_density` left.
 pub(super) fn add_solid_density(recording: &mut Recording, sph: &mut Sph, solids: &Solids, context: &StepContext) {
