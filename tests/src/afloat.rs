@@ -12,16 +12,21 @@ pub const HEIGHT_M: f64 = 0.1;
 /// Surface of the pool's ground, m².
 const GROUND_M2: f64 = 0.4 * 0.4;
 
+/// One body in a pool whose corner is the origin: sides of the tank and the water's depth, m.
+fn pool([x, y, z]: [f64; 3], depth_m: f64, body: &str, method: &str, spacing_m: f64) -> Scene {
+    let text = format!(
+        "spacing_m = {spacing_m}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [{x}, {y}, {z}]\n\
+         [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [{x}, {depth_m}, {z}] }}\n\
+         [[solid]]\n{body}\n[solver]\nmethod = \"{method}\"\n[outputs]\nmeasure_every_steps = 1\n"
+    );
+    Scene::from_toml(&text, "afloat", &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// A shape as high as [`HEIGHT_M`] in a pool, afloat where it will be.
 pub fn floating(shape: &str, density_kg_m3: f64, method: &str, spacing_m: f64) -> Scene {
-    let text = format!(
-        "spacing_m = {spacing_m}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.4, 0.3, 0.4]\n\
-         [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.4, 0.15, 0.4] }}\n\
-         [[solid]]\n{shape}\ncentre_m = [0.2, {}, 0.2]\ndensity_kg_m3 = {density_kg_m3}\n\
-         [solver]\nmethod = \"{method}\"\n[outputs]\nmeasure_every_steps = 1\n",
-        0.2 - HEIGHT_M * density_kg_m3 / 1000.0,
-    );
-    Scene::from_toml(&text, "floating", &[]).unwrap_or_else(|error| panic!("{error}"))
+    let height_m = 0.2 - HEIGHT_M * density_kg_m3 / 1000.0;
+    let body = format!("{shape}\ncentre_m = [0.2, {height_m}, 0.2]\ndensity_kg_m3 = {density_kg_m3}");
+    pool([0.4, 0.3, 0.4], 0.15, &body, method, spacing_m)
 }
 
 /// How deep it is in the water, m: of the fluid's volume, the body's, and the ground's surface.
@@ -32,13 +37,9 @@ pub fn draft_m(scene: &Scene, state: &BodyState) -> f64 {
 
 /// A long square prism, half as heavy as water, which floats on its edge (45 degrees), nearly flat.
 pub fn prism(method: &str, spacing_m: f64) -> Scene {
-    let text = format!(
-        "spacing_m = {spacing_m}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.5, 0.4, 0.4]\n\
-         [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.5, 0.2, 0.4] }}\n\
-         [[solid]]\nbox = {{ size_m = [0.14, 0.14, 0.36] }}\nturned_deg = [0, 0, 8]\ncentre_m = [0.25, 0.21, 0.2]\n\
-         density_kg_m3 = 500\n[solver]\nmethod = \"{method}\"\n"
-    );
-    Scene::from_toml(&text, "prism", &[]).unwrap_or_else(|error| panic!("{error}"))
+    let body = "box = { size_m = [0.14, 0.14, 0.36] }\nturned_deg = [0, 0, 8]\ncentre_m = [0.25, 0.21, 0.2]\n\
+                density_kg_m3 = 500";
+    pool([0.5, 0.4, 0.4], 0.2, body, method, spacing_m)
 }
 
 /// By how much a body is turned around z, degrees, of a shape that a quarter turn leaves as it is: -45 to 45.
@@ -50,13 +51,8 @@ pub fn turned_around_z_deg(state: &BodyState) -> f64 {
 
 /// A ball as heavy as water in the middle of a pool.
 pub fn neutral(method: &str, spacing_m: f64) -> Scene {
-    let text = format!(
-        "spacing_m = {spacing_m}\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.4, 0.5, 0.4]\n\
-         [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [0.4, 0.4, 0.4] }}\n\
-         [[solid]]\nsphere = {{ radius_m = 0.08 }}\ncentre_m = [0.2, 0.2, 0.2]\ndensity_kg_m3 = 1000\n\
-         [solver]\nmethod = \"{method}\"\n"
-    );
-    Scene::from_toml(&text, "neutral", &[]).unwrap_or_else(|error| panic!("{error}"))
+    let body = "sphere = { radius_m = 0.08 }\ncentre_m = [0.2, 0.2, 0.2]\ndensity_kg_m3 = 1000";
+    pool([0.4, 0.5, 0.4], 0.4, body, method, spacing_m)
 }
 
 #[cfg(test)]
