@@ -5,6 +5,8 @@
 //! are larger than true ones by half of a cell's diagonal at most: all of it where a needle stands at its middle, .3 of a
 //! cell at a right-angled edge, nothing at a flat face.
 
+use std::sync::OnceLock;
+
 use glam::{DVec3, IVec3};
 
 use crate::bvh::Bvh;
@@ -29,7 +31,7 @@ pub struct FieldOptions {
 }
 
 /// Distances on a grid.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Field {
     /// The lowest node, m.
     pub min_m: DVec3,
@@ -37,9 +39,11 @@ pub struct Field {
     pub cell_m: f64,
     /// Nodes along each side.
     pub nodes: [u32; 3],
-    /// Of each node, x fastest: its distance from the surface, m, negative inside; and that of the plane beyond which as much
-    /// of the kernel lies as in the solid, in supports.
-    pub values: Vec<[f32; 2]>,
+    /// Of each node, x fastest: its distance from the surface, m, negative inside.
+    pub distances_m: Vec<f32>,
+    support_m: Option<f64>,
+    /// Takes as long as the distances, and a scene that is only counted does without.
+    planes: OnceLock<Vec<f32>>,
 }
 
 impl Field {
@@ -62,12 +66,21 @@ impl Field {
             Some(thickness_m) => distances_m.iter_mut().for_each(|away_m| *away_m -= 0.5 * thickness_m),
             None => turn_inside_out(&grid, &tree, &mut distances_m),
         }
-        let planes = match options.support_m {
-            Some(support_m) => shares::plane_distances(&grid, &distances_m, support_m),
-            None => vec![1.0; distances_m.len()],
-        };
-        let values = distances_m.iter().zip(&planes).map(|(away_m, plane)| [*away_m as f32, *plane as f32]).collect();
-        Self { min_m: grid.min_m, cell_m: grid.cell_m, nodes, values }
+        let distances_m = distances_m.into_iter().map(|away_m| away_m as f32).collect();
+        let (support_m, planes) = (options.support_m, OnceLock::new());
+        Self { min_m: grid.min_m, cell_m: grid.cell_m, nodes, distances_m, support_m, planes }
+    }
+
+    /// Of each node the distance of the plane beyond which as much of the kernel lies as in the solid, in supports; 1 of a
+    /// field without a kernel. Made when first asked for.
+    pub fn planes(&self) -> &[f32] {
+        self.planes.get_or_init(|| match self.support_m {
+            Some(support_m) => {
+                let grid = Grid { min_m: self.min_m, cell_m: self.cell_m, nodes: self.nodes };
+                shares::plane_distances(&grid, &self.distances_m, support_m)
+            }
+            None => vec![1.0; self.distances_m.len()],
+        })
     }
 
     /// The distance of a place from the surface, as the shaders interpolate it (`boundary/solids/field.hlsli`), m.
@@ -79,7 +92,7 @@ impl Field {
         let share = at - cell;
         let [x, y, _] = self.nodes.map(|side| side as usize);
         let first = cell.x as usize + x * (cell.y as usize + y * cell.z as usize);
-        let value = |index: usize| f64::from(self.values[index][0]);
+        let value = |index: usize| f64::from(self.distances_m[index]);
         let along = |index: usize| value(index) + share.x * (value(index + 1) - value(index));
         let across = |index: usize| along(index) + share.y * (along(index + x) - along(index));
         let here_m = across(first) + share.z * (across(first + x * y) - across(first));

@@ -74,37 +74,40 @@ impl Lattice {
 
 /// For each node of `distances_m` that distance, in supports. Where the kernel does not reach the surface it is the node's
 /// own.
-pub(crate) fn plane_distances(grid: &Grid, distances_m: &[f64], support_m: f64) -> Vec<f64> {
+pub(crate) fn plane_distances(grid: &Grid, distances_m: &[f32], support_m: f64) -> Vec<f32> {
     let lattice = Lattice::new(grid.cell_m, support_m);
-    let mut planes = vec![0.0; distances_m.len()];
+    let mut planes = vec![0.0_f32; distances_m.len()];
     let slab = (grid.nodes[0] * grid.nodes[1]) as usize;
-    let slabs: Vec<(usize, &mut [f64])> = planes.chunks_mut(slab).enumerate().collect();
+    let slabs: Vec<(usize, &mut [f32])> = planes.chunks_mut(slab).enumerate().collect();
     threads::for_each(slabs, |(z, slab)| {
         for (index, plane) in slab.iter_mut().enumerate() {
             let node = z * (grid.nodes[0] * grid.nodes[1]) as usize + index;
-            let own_m = distances_m[node];
+            let own_m = f64::from(distances_m[node]);
             let far = own_m / support_m;
             if far.abs() >= 1.0 {
-                *plane = far;
+                *plane = far as f32;
                 continue;
             }
             let share = share(grid, distances_m, node, &lattice, support_m);
             *plane = match share {
                 share if share <= 1.0e-9 => 1.0,
                 share if share >= 1.0 - 1.0e-9 => -1.0,
-                share => plane_distance(share),
+                share => plane_distance(share) as f32,
             };
         }
     });
     planes
 }
 
-fn share(grid: &Grid, distances_m: &[f64], node: usize, lattice: &Lattice, support_m: f64) -> f64 {
+fn share(grid: &Grid, distances_m: &[f32], node: usize, lattice: &Lattice, support_m: f64) -> f64 {
     let at = grid.place(node);
-    let own_m = distances_m[node];
-    let value = |at: IVec3| grid.index(at).map_or(f64::INFINITY, |index| distances_m[index]);
+    let own_m = f64::from(distances_m[node]);
+    let value = |at: IVec3| grid.index(at).map_or(f64::INFINITY, |index| f64::from(distances_m[index]));
     let slope = DVec3::from_array([IVec3::X, IVec3::Y, IVec3::Z].map(|axis| {
-        let [below, above] = [at - axis, at + axis].map(|at| grid.index(at).map_or(own_m, |index| distances_m[index]));
+        let [below, above] = [at - axis, at + axis].map(|at| {
+            let away_m = value(at);
+            if away_m.is_finite() { away_m } else { own_m }
+        });
         above - below
     }));
     let normal = slope.normalize_or_zero();

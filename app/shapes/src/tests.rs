@@ -102,17 +102,17 @@ fn fields_know_at_their_nodes_what_all_triangles_say() {
         let options = FieldOptions { cell_m: 0.04, support_m: Some(0.16), sheet_m: None };
         let field = Field::new(&mesh, &options);
         let mut worst = 0.0_f64;
-        for index in (0..field.values.len()).step_by(7) {
+        for index in (0..field.distances_m.len()).step_by(7) {
             let [x, y, z] = field.nodes.map(|side| side as usize);
             let at = DVec3::new((index % x) as f64, (index / x % y) as f64, (index / (x * y)) as f64);
             assert!(index < x * y * z);
             let expected_m = brute_force_m(&mesh, field.min_m + at * field.cell_m);
-            worst = worst.max((f64::from(field.values[index][0]) - expected_m).abs());
+            worst = worst.max((f64::from(field.distances_m[index]) - expected_m).abs());
         }
         assert!(worst < 1e-7, "{name}: off by {worst}");
         // The comparator: a mesh a millimetre larger.
         let wrong = mesh.clone().scaled(1.005);
-        let away_m = (brute_force_m(&wrong, field.min_m) - f64::from(field.values[0][0])).abs();
+        let away_m = (brute_force_m(&wrong, field.min_m) - f64::from(field.distances_m[0])).abs();
         assert!(away_m > 1e-4, "{name}");
     }
 }
@@ -181,8 +181,8 @@ fn shares_of_the_kernel_are_close_to_their_integrals() {
         let [x, y, _] = field.nodes.map(|side| side as usize);
         let mut worst = (0.0_f64, 0.0);
         let mut compared = 0;
-        for index in (0..field.values.len()).step_by(11) {
-            let [away, plane] = field.values[index].map(f64::from);
+        for index in (0..field.distances_m.len()).step_by(11) {
+            let [away, plane] = [field.distances_m[index], field.planes()[index]].map(f64::from);
             // Where particles may be.
             if !(0.25..0.9).contains(&away) {
                 continue;
@@ -203,7 +203,8 @@ fn shares_of_the_kernel_are_close_to_their_integrals() {
     );
     let [x, y, z] = field.nodes.map(|side| side as usize);
     for row in 0..y {
-        let [away, plane] = field.values[x / 2 + x * (row + y * (z / 2))].map(f64::from);
+        let index = x / 2 + x * (row + y * (z / 2));
+        let [away, plane] = [field.distances_m[index], field.planes()[index]].map(f64::from);
         assert!((away - plane).abs() < 1e-5, "{away} and {plane}");
     }
 }
@@ -352,8 +353,9 @@ fn a_hundred_thousand_triangles_take_seconds() {
     assert!(mesh.triangles.len() > 99_000);
     let begun = std::time::Instant::now();
     let field = Field::new(&mesh, &FieldOptions { cell_m: 0.01, support_m: Some(0.04), sheet_m: None });
+    assert_eq!(field.planes().len(), field.distances_m.len());
     let took_s = begun.elapsed().as_secs_f64();
-    println!("{} triangles, {} nodes: {took_s:.2} s", mesh.triangles.len(), field.values.len());
+    println!("{} triangles, {} nodes: {took_s:.2} s", mesh.triangles.len(), field.distances_m.len());
     assert!(took_s < 60.0);
 }
 

@@ -6,7 +6,7 @@ use brooklet_gpu::{Gpu, Tier};
 use brooklet_render::FrameOptions;
 use brooklet_render::surface::SurfaceOptions;
 
-use crate::ladder::Rung;
+use crate::ladder::{RUNGS, Rung};
 
 /// What one step and one picture of a scene come to on a rung. Only ratios between rungs of one scene count.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,12 +36,32 @@ const THICKNESS_PX: f64 = 0.5;
 /// Iterations of both of DFSPH's solves that a substep ends with, as dam breaks have them.
 const DFSPH_ROUNDS: f64 = 6.0;
 
+/// How many particles a scene has at any spacing, from those that it has on the last rung: to count them where a mesh stands
+/// takes the mesh's distance field at that spacing, seconds of it for what may never be run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crowd {
+    particles: f64,
+    spacing_m: f64,
+}
+
+impl Crowd {
+    /// Of `scene` as it was chosen.
+    pub fn of(scene: &Scene) -> Self {
+        let coarsest = RUNGS[RUNGS.len() - 1].scene(scene);
+        Self { particles: coarsest.particle_count().max(1) as f64, spacing_m: coarsest.spacing_m }
+    }
+
+    fn in_scene(&self, run: &Scene) -> f64 {
+        self.particles * (self.spacing_m / run.spacing_m).powi(run.domain.dimensions as i32)
+    }
+}
+
 impl Work {
-    /// Of `scene` as it was chosen, in a window of `window_px`, on `rung`.
-    pub fn of(rung: &Rung, scene: &Scene, tier: Tier, window_px: [u32; 2]) -> Self {
+    /// Of `scene` as it was chosen, with its `crowd`, in a window of `window_px`, on `rung`.
+    pub fn of(rung: &Rung, scene: &Scene, crowd: Crowd, tier: Tier, window_px: [u32; 2]) -> Self {
         let run = rung.scene(scene);
         let mut options = rung.options(FrameOptions::for_scene(&run, tier));
-        let particles = run.particle_count().max(1) as f64;
+        let particles = crowd.in_scene(&run);
         let rounds = match run.solver.method {
             Method::None => 1.0,
             Method::Dfsph => DFSPH_ROUNDS + OTHER_ROUNDS,

@@ -79,8 +79,10 @@ impl Rung {
         let fewer = self.fewer_particles_of(&scene);
         if fewer > 1.0 {
             scene.spacing_m *= fewer.powf(1.0 / f64::from(scene.domain.dimensions));
-            let least = scene.particle_count() as u32;
-            scene.capacity = scene.capacity.map(|slots| ((f64::from(slots) / fewer).ceil() as u32).max(least));
+            if let Some(slots) = scene.capacity {
+                let least = scene.particle_count() as u32;
+                scene.capacity = Some(((f64::from(slots) / fewer).ceil() as u32).max(least));
+            }
         }
         if self.lower_precision && scene.solver.precision == Precision::Full {
             scene.solver.precision = Precision::Relaxed;
@@ -154,7 +156,7 @@ impl Rung {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::device_speed::Work;
+    use crate::device_speed::{Crowd, Work};
     use brooklet_gpu::Tier;
 
     fn scene() -> Scene {
@@ -165,7 +167,7 @@ mod tests {
     fn each_rung_asks_for_less() {
         let scene = scene();
         let options = FrameOptions::for_scene(&scene, Tier::Desktop);
-        let work = |rung: &Rung| Work::of(rung, &scene, Tier::Desktop, [1000, 1000]);
+        let work = |rung: &Rung| Work::of(rung, &scene, Crowd::of(&scene), Tier::Desktop, [1000, 1000]);
         for pair in RUNGS.windows(2) {
             let ([more, less], [above, below]) = ([work(&pair[0]), work(&pair[1])], [&pair[0], &pair[1]]);
             let is_less =

@@ -3,7 +3,7 @@
 use brooklet_fluid::Scene;
 use brooklet_fluid::state::State;
 
-use crate::device_speed::Work;
+use crate::device_speed::{Crowd, Work};
 use crate::governor::Standing;
 use crate::ladder::RUNGS;
 use crate::messages::Kind;
@@ -26,10 +26,10 @@ impl Viewer {
 
     /// What each rung comes to for `scene` in the window as it is.
     pub(crate) fn weigh(&mut self, scene: &Scene) {
-        let (tier, room_px) = (self.gpu.tier(), self.room_px);
+        let (tier, room_px, crowd) = (self.gpu.tier(), self.room_px, Crowd::of(scene));
         let weigh = |(index, rung)| match index < self.least_rung.max(self.roomy_rung) {
             true => Work { step: f64::INFINITY, draw: f64::INFINITY },
-            false => Work::of(rung, scene, tier, room_px),
+            false => Work::of(rung, scene, crowd, tier, room_px),
         };
         self.works = RUNGS.iter().enumerate().map(weigh).collect();
     }

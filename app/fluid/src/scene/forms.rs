@@ -139,7 +139,7 @@ pub(super) fn fields(scene: &Scene) -> Vec<(Arc<Field>, u32)> {
     let mut all: Vec<(Arc<Field>, u32)> = Vec::new();
     for field in scene.solids.iter().filter_map(|solid| solid.field(scene)) {
         if !all.iter().any(|(other, _)| Arc::ptr_eq(other, &field)) {
-            let first = all.last().map_or(0, |(last, first)| first + last.values.len() as u32);
+            let first = all.last().map_or(0, |(last, first)| first + last.distances_m.len() as u32);
             all.push((field, first));
         }
     }
@@ -149,7 +149,10 @@ pub(super) fn fields(scene: &Scene) -> Vec<(Arc<Field>, u32)> {
 /// The nodes of all fields of a scene, as the shaders have them: a distance, m, and a plane's, in supports. One node, which
 /// nobody asks, of a scene without.
 pub fn field_nodes(scene: &Scene) -> Vec<[f32; 2]> {
-    let mut nodes: Vec<[f32; 2]> = fields(scene).iter().flat_map(|(field, _)| field.values.iter().copied()).collect();
+    let mut nodes = Vec::new();
+    for (field, _) in fields(scene) {
+        nodes.extend(field.distances_m.iter().zip(field.planes()).map(|(away_m, plane)| [*away_m, *plane]));
+    }
     if nodes.is_empty() {
         nodes.push([0.0; 2]);
     }
