@@ -3,7 +3,9 @@
 
 use brooklet_fluid::{Scene, Session};
 use brooklet_kernels::BodyState;
-use brooklet_tests::afloat::{FLAT_BOX, HEIGHT_M, draft_m, floating, neutral, prism, turned_around_z_deg};
+use brooklet_tests::afloat::{
+    DEEP_M, FLAT_BOX, HEIGHT_M, draft_below_surface_m, draft_m, floating, neutral, prism, turned_around_z_deg,
+};
 
 const SPACINGS_M: [f64; 2] = [0.025, 0.4 / 24.0];
 const DENSITIES_KG_M3: [f64; 5] = [200.0, 350.0, 500.0, 700.0, 900.0];
@@ -27,56 +29,65 @@ fn main() {
     }
 }
 
-/// Runs a scene, and returns the time and state of its body, so many times a second.
-fn course(scene: &Scene, seconds: f64, times_a_second: f64) -> Vec<(f64, BodyState)> {
+/// Runs a scene, and calls `visit` with the time and the session so many times a second.
+fn course(scene: &Scene, seconds: f64, times_a_second: f64, mut visit: impl FnMut(f64, &mut Session)) {
     let mut session = Session::new(&brooklet_tests::gpu(), scene).expect("a device");
     let (steps, every) = ((seconds / scene.solver.dt_s) as u32, (1.0 / times_a_second / scene.solver.dt_s) as u32);
-    let mut states = Vec::new();
     for step in 1..=steps {
         session.step().expect("a step");
         if step % every == 0 {
-            states.push((f64::from(step) * scene.solver.dt_s, session.read_bodies().expect("a device").states[0]));
+            visit(f64::from(step) * scene.solver.dt_s, &mut session);
         }
     }
-    states
+}
+
+fn body(session: &mut Session) -> BodyState {
+    session.read_bodies().expect("a device").states[0]
 }
 
 fn drafts(method: &str, spacing_m: f64, density_kg_m3: f64) {
-    let scene = floating(FLAT_BOX, density_kg_m3, method, spacing_m);
-    let states = course(&scene, 2.0, 20.0);
-    let late = &states[states.len() / 2..];
-    let mean_m = late.iter().map(|(_, state)| draft_m(&scene, state)).sum::<f64>() / late.len() as f64;
+    let scene = floating(FLAT_BOX, density_kg_m3, method, spacing_m, DEEP_M);
+    let (mut told_m, mut seen_m, mut upright) = (Vec::new(), Vec::new(), 1.0);
+    course(&scene, 2.0, 20.0, |time_s, session| {
+        let state = body(session);
+        upright = state.rotation[3].abs();
+        if time_s > 1.0 {
+            told_m.push(draft_m(&scene, &state));
+            let particles = session.read_particles().expect("a device");
+            seen_m.push(draft_below_surface_m(&particles.positions, &state));
+        }
+    });
+    let mean_m = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
     let expected_m = HEIGHT_M * density_kg_m3 / 1000.0;
-    let off_m = mean_m - expected_m;
+    let [told_off_m, seen_off_m] = [&told_m, &seen_m].map(|of| mean_m(of) - expected_m);
     let allowed_m = (0.05 * expected_m).max(0.25 * spacing_m);
-    let upright = states.last().expect("states").1.rotation[3].abs();
     println!(
-        "| {method} | {:.1} | {density_kg_m3} | {:.1} | {:.1} | {:+.1} | {:.1} | {} |{}",
+        "| {method} | {:.1} | {density_kg_m3} | {:.1} | {:+.1} | {:+.1} | {:.1} | {} |{}",
         1e3 * spacing_m,
         1e3 * expected_m,
-        1e3 * mean_m,
-        1e3 * off_m,
+        1e3 * seen_off_m,
+        1e3 * told_off_m,
         1e3 * allowed_m,
         if upright > 0.99 { "upright" } else { "tilted" },
-        if off_m.abs() <= allowed_m { "" } else { " off" }
+        if seen_off_m.abs() <= allowed_m { "" } else { " off" }
     );
 }
 
 fn turns(method: &str, spacing_m: f64) {
-    for (time_s, state) in course(&prism(method, spacing_m), 8.0, 1.0) {
-        println!("{method} {:.1} mm, {time_s:.1} s: {:.1} degrees", 1e3 * spacing_m, turned_around_z_deg(&state));
-    }
+    course(&prism(method, spacing_m), 8.0, 1.0, |time_s, session| {
+        let turned_deg = turned_around_z_deg(&body(session));
+        println!("{method} {:.1} mm, {time_s:.1} s: {turned_deg:.1} degrees", 1e3 * spacing_m);
+    });
 }
 
 fn drifts(method: &str, spacing_m: f64) {
-    let scene = neutral(method, spacing_m);
-    for (time_s, state) in course(&scene, 10.0, 1.0) {
-        let moved_m = state.position_m.iter().map(|x| (f64::from(*x) - 0.2).powi(2)).sum::<f64>().sqrt();
+    course(&neutral(method, spacing_m), 10.0, 1.0, |time_s, session| {
+        let at_m = body(session).position_m;
+        let moved_m = at_m.iter().map(|x| (f64::from(*x) - 0.2).powi(2)).sum::<f64>().sqrt();
         println!(
-            "{method} {:.1} mm, {time_s:.1} s: {:.2} spacings from where it began, at {:?}",
+            "{method} {:.1} mm, {time_s:.1} s: {:.2} spacings from where it began, at {at_m:?}",
             1e3 * spacing_m,
-            moved_m / spacing_m,
-            state.position_m
+            moved_m / spacing_m
         );
-    }
+    });
 }

@@ -29,14 +29,19 @@ fn main() -> ExitCode {
     let runner = Runner::new(Session::new(&open, Cache::default(), &stop, &notify));
     println!("| case | outcome | said | beyond limits | wall s |\n|---|---|---|---|---|");
     for task in stability::row_tasks(false) {
-        if task.settings[0] != method.setting() || !names.is_empty() && !names.contains(&task.case) {
+        // PBF's name no solver, but what is varied.
+        let solver = task.settings.iter().find(|setting| setting.starts_with("solver.method="));
+        let is_of = solver.map_or(method.name == "pbf", |setting| *setting == method.setting());
+        if !is_of || !names.is_empty() && !names.contains(&task.case) {
             continue;
         }
         let began = std::time::Instant::now();
         match runner.outcome(&task) {
             Ok(Some(mut outcome)) => {
                 outcome.wall_s = began.elapsed().as_secs_f64();
-                println!("{}", line(&task.case, &outcome));
+                let varied = task.settings.iter().filter(|setting| Some(*setting) != solver);
+                let varied: Vec<&str> = varied.filter_map(|setting| setting.split('=').nth(1)).collect();
+                println!("{}", line(&[&[task.case.as_str()], &varied[..]].concat().join(" "), &outcome));
             }
             Ok(None) => eprintln!("{}: stopped", task.case),
             Err(error) => {

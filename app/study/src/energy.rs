@@ -1,11 +1,12 @@
-//! The mechanical energy of a run. Nothing drives any case from outside once it moves, so what walls, viscosity and the
-//! solver take is the only way for it to change: it may fall, and what it rises by came from nowhere.
+//! The mechanical energy of a run. Nothing drives a case from outside once it moves, so what walls, viscosity and the
+//! solver take is the only way for it to change: it may fall, and what it rises by came from nowhere. Of a case that
+//! something drives, it is not judged.
 //!
 //! But for what compression holds. It grows with depth, and is a spring's: a column of height H that is compressed by ε at
 //! the floor, and by ε₀ when it has come to rest, holds (ε²/ε₀) g H / 6 over its mass, and gives it back when it bounces.
 //! Without a loss ε would be 2 ε₀.
 
-use brooklet_fluid::scene::Method;
+use brooklet_fluid::scene::{Method, SolidSettings};
 use glam::DVec3;
 
 use crate::backend::GpuRun;
@@ -28,7 +29,7 @@ struct Course {
 }
 
 /// What a run of `setup` is judged by, from its relaxed start on: the largest rise of its energy over its lowest so far, and
-/// what was taken of it in all. Nothing where gravity drives fluid round a periodic axis.
+/// what was taken of it in all. Nothing where gravity drives fluid round a periodic axis, or a solid moves as it is told.
 pub fn figures(setup: &Setup, run: &GpuRun, limit: f64) -> Vec<Figure> {
     let spent = || run.measured.iter().position(|measured| measured.stats.compression.p99 < SPENT);
     let from = if setup.squeezed { spent().map_or(usize::MAX, |index| index + 1) } else { 0 };
@@ -55,8 +56,8 @@ fn g_times_height(setup: &Setup, start: &Sample) -> f64 {
 
 fn judged(setup: &Setup, samples: &[&Sample], held_m2_s2: f64, limit: f64) -> Vec<Figure> {
     let scene = &setup.scene;
-    let drives = scene.gravity_m_s2.iter().zip(scene.period_m()).any(|(g, period_m)| *g != 0.0 && period_m != 0.0);
-    if drives {
+    let falls_round = scene.gravity_m_s2.iter().zip(scene.period_m()).any(|(g, period_m)| *g != 0.0 && period_m != 0.0);
+    if falls_round || scene.solids.iter().any(SolidSettings::is_driven) {
         return Vec::new();
     }
     let course = course(setup, samples);
@@ -166,6 +167,25 @@ mod tests {
         let mut lost = at(0.9);
         lost.positions_m[3] = DVec3::NAN;
         assert_eq!(rise(&setup, &[at(1.0), lost]).verdict(), Verdict::Meets);
+    }
+
+    #[test]
+    fn what_is_driven_is_not_judged() {
+        let solid = |keyframes: &str| {
+            let text = format!(
+                "spacing_m = 0.05\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n[[fluid]]\n\
+                 block = {{ min_m = [0, 0, 0], max_m = [0.4, 0.4, 0.4] }}\n[[solid]]\n\
+                 box = {{ size_m = [0.2, 0.2, 0.2] }}\n{keyframes}"
+            );
+            Setup::new("driven", &text, &[], 1.0, 1).unwrap()
+        };
+        let judged = |setup: Setup| of_samples(&setup, &[&setup.start()], RISE).len();
+        assert_eq!(judged(solid("centre_m = [0.8, 0.5, 0.5]")), 2, "it stands");
+        assert_eq!(judged(solid("centre_m = [0.8, 0.5, 0.5]\ndensity_kg_m3 = 500")), 2, "the fluid moves it");
+        assert_eq!(judged(solid("centre_m = [0.8, 0.5, 0.5]\nspin_deg_s = [0, 90, 0]")), 0);
+        let keys = "[[solid.keyframe]]\ntime_s = 0.0\ncentre_m = [0.8, 0.5, 0.5]\n\
+                    [[solid.keyframe]]\ntime_s = 1.0\ncentre_m = [0.7, 0.5, 0.5]";
+        assert_eq!(judged(solid(keys)), 0);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 use brooklet_fluid::scene::body_mass_kg;
 use brooklet_fluid::state::State;
 use brooklet_fluid::{BodyMotion, ParticleSource, Scene, Session, SessionRecorder};
-use brooklet_tests::afloat::{FLAT_BOX, draft_m, floating};
+use brooklet_tests::afloat::{FLAT_BOX, SHALLOW_M, draft_m, floating};
 use brooklet_tests::{gpu, small};
 use glam::{DQuat, DVec3};
 
@@ -19,7 +19,7 @@ const FLAT_HULL: &str = "hull = { points_m = [[-0.1, -0.05, -0.1], [0.1, -0.05, 
 fn a_box_floats_as_deep_as_archimedes_says() {
     let steps = if small() { 5 } else { 200 };
     for (density_kg_m3, method) in [(300.0, "pbf"), (700.0, "pbf"), (500.0, "dfsph")] {
-        let scene = floating(FLAT_BOX, density_kg_m3, method, 0.025);
+        let scene = floating(FLAT_BOX, density_kg_m3, method, 0.025, SHALLOW_M);
         let mut session = Session::new(&gpu(), &scene).unwrap();
         let mut drafts_m = Vec::new();
         for step in 0..steps {
@@ -81,7 +81,7 @@ fn momentum_goes_from_fluid_to_body_in_free_space() {
 /// The same box, as the hull of its corners and as a shape of its own.
 #[test]
 fn a_hull_floats_as_deep_as_the_box_that_it_is() {
-    let [of_box, of_hull] = [FLAT_BOX, FLAT_HULL].map(|shape| floating(shape, 500.0, "pbf", 0.025));
+    let [of_box, of_hull] = [FLAT_BOX, FLAT_HULL].map(|shape| floating(shape, 500.0, "pbf", 0.025, SHALLOW_M));
     let [one, other] = [&of_box, &of_hull].map(|scene| brooklet_fluid::scene::bodies(scene)[0]);
     assert!((one.inverse_mass_per_kg / other.inverse_mass_per_kg - 1.0).abs() < 1e-6);
     for (one, other) in one.inertia_kg_m2.iter().zip(other.inertia_kg_m2) {
@@ -173,7 +173,7 @@ fn bodies_fall_bounce_and_come_to_rest_on_each_other() {
 
 #[test]
 fn a_saved_state_goes_on_bit_for_bit() {
-    let scene = floating(FLAT_BOX, 400.0, "pbf", 0.025).with_setting("solver.deterministic=true").unwrap();
+    let scene = floating(FLAT_BOX, 400.0, "pbf", 0.025, SHALLOW_M).with_setting("solver.deterministic=true").unwrap();
     let mut session = Session::new(&gpu(), &scene).unwrap();
     (0..6).for_each(|_| session.step().unwrap());
     let saved = State {
@@ -215,7 +215,7 @@ fn a_scene_without_bodies_has_nothing_of_them() {
         let planned = SessionRecorder::new(scene, ParticleSource::Count(100)).sweep().unwrap();
         format!("{:?}", planned.plan.passes().into_iter().map(|pass| pass.stage).collect::<Vec<_>>())
     };
-    let scene = floating(FLAT_BOX, 500.0, "pbf", 0.025);
+    let scene = floating(FLAT_BOX, 500.0, "pbf", 0.025, SHALLOW_M);
     let mut standing = scene.clone();
     standing.solids[0].density_kg_m3 = None;
     for stage in ["find_contacts", "step_bodies", "gather_reactions"] {

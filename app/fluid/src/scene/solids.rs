@@ -218,6 +218,12 @@ impl SolidSettings {
         plain.into_iter().chain(triangles).filter(|&given| given).count()
     }
 
+    /// Whether it moves as it is told, whatever is in its way: it does work on the fluid.
+    pub fn is_driven(&self) -> bool {
+        let moves = [self.velocity_m_s, self.spin_deg_s].iter().flatten().any(|&speed| speed != 0.0);
+        self.density_kg_m3.is_none() && (moves || self.keyframes.len() > 1)
+    }
+
     /// Whether it is a mesh, a hull, a wheel or ground.
     pub fn has_triangles(&self) -> bool {
         self.mesh.is_some() || self.hull.is_some() || self.wheel.is_some() || self.terrain.is_some()

@@ -11,7 +11,7 @@ mod table;
 
 pub use table::ROWS;
 
-use brooklet_fluid::scene::{Acceleration, Precision};
+use brooklet_fluid::scene::{Acceleration, Precision, body_count};
 use brooklet_gpu::{Tier, tier_name};
 use glam::DVec3;
 
@@ -77,7 +77,13 @@ const QUICK: [u32; 6] = [2, 8, 13, 14, 17, 21];
 /// a warm start.
 fn pbf_tasks(quick: bool) -> Vec<Task> {
     let rows: Vec<&Row> = ROWS.iter().filter(|row| row.is_of(PBF) && (!quick || QUICK.contains(&row.number))).collect();
+    let has_bodies = |row: &Row| (row.setup)(&[]).is_ok_and(|setup| body_count(&setup.scene) > 0);
+    let has_bodies: Vec<bool> = rows.iter().map(|row| has_bodies(row)).collect();
     let allowed = |row: &[Option<usize>]| {
+        // What bodies were given back of a warm start is not begun with.
+        if row[6] == Some(1) && row[0].is_some_and(|row| has_bodies[row]) {
+            return false;
+        }
         let has_f16 = row[1] != Some(2) || row[2].is_none_or(|tier| TIERS[tier] == Tier::Desktop);
         has_f16 && (row[4] != Some(0) || row[5] != Some(0) && row[6] != Some(1))
     };

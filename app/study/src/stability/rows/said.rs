@@ -17,6 +17,7 @@ const WORDS: &[(&str, Word)] = &[
     ("law's error", is_measured),
     ("kinetic energy", is_measured),
     ("energy rise", is_measured),
+    ("fastest over the wall", is_measured),
     // Neighbours that one of a pair has and the other has not push with nothing against them.
     ("momentum drift", |run, _| is_list_short(run)),
     ("difference", |run, _| is_list_short(run)),
