@@ -1,6 +1,7 @@
 //! How the window looks.
 
-use egui::{Color32, Context, CornerRadius, FontId, Frame, Margin, Stroke, TextStyle, Theme};
+use egui::epaint::text::{FontInsert, FontPriority, FontTweak, InsertFontFamily};
+use egui::{Color32, Context, CornerRadius, FontData, FontFamily, FontId, Frame, Margin, Stroke, TextStyle, Theme};
 
 use crate::messages::Kind;
 
@@ -20,8 +21,17 @@ const FIELD: Color32 = Color32::from_rgb(13, 16, 21);
 const BUTTON: Color32 = Color32::from_rgb(42, 50, 60);
 const TEXT: Color32 = Color32::from_rgb(222, 228, 235);
 
-/// Sets fonts' sizes, colours and distances, once.
+/// Signs on buttons, after the letters.
+fn icons() -> FontInsert {
+    let tweak = FontTweak { scale: 0.9, ..FontTweak::default() };
+    let families = [FontFamily::Proportional, FontFamily::Monospace]
+        .map(|family| InsertFontFamily { family, priority: FontPriority::Lowest });
+    FontInsert::new("icons", FontData::from_static(epaint_default_fonts::EMOJI_ICON).tweak(tweak), families.into())
+}
+
+/// Sets fonts, their sizes, colours and distances, once.
 pub fn apply(context: &Context) {
+    context.add_font(icons());
     context.set_theme(Theme::Dark);
     context.all_styles_mut(|style| {
         style.text_styles = [

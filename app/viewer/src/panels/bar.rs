@@ -39,7 +39,7 @@ pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>, actions: &mut Vec<Action
         };
         button(ui, "capture", text, &tip, Action::Capture);
         button(ui, "save", RichText::new("💾"), "Save the state (Ctrl+S)", Action::SaveState);
-        button(ui, "restore", RichText::new("📂"), "Restore the saved state (Ctrl+O)", Action::RestoreState(None));
+        button(ui, "restore", RichText::new("🗁"), "Restore the saved state (Ctrl+O)", Action::RestoreState(None));
         button(ui, "camera", RichText::new("🏠"), "The scene's own view (V)", Action::ResetCamera);
         button(ui, "fullscreen", RichText::new("⛶"), "Whole screen (F11)", Action::Fullscreen);
         button(ui, "help", RichText::new("?"), "Keys and mouse (F1)", Action::Help);

@@ -14,13 +14,8 @@ pub(super) fn show(ui: &mut Ui, shown: &PanelInput<'_>, draft: &mut Option<Draft
     counts(ui, shown);
     ui.horizontal(|ui| {
         let tools = [
-            (Place::Wall, "place hose", "＋ hose", "Click on a wall or a solid: it flows away from there"),
-            (
-                Place::Air,
-                "place faucet",
-                "＋ faucet",
-                "Click in the picture: it flows down, in the middle of the depth",
-            ),
+            (Place::Wall, "place hose", "+ hose", "Click on a wall or a solid: it flows away from there"),
+            (Place::Air, "place faucet", "+ faucet", "Click in the picture: it flows down, in the middle of the depth"),
         ];
         for (place, name, text, tip) in tools {
             let is_chosen = shown.placing == Some(place);
