@@ -13,7 +13,7 @@ spacing_m = 0.05
 min_m = [0, 0, 0]
 max_m = [1.2, 0.8, 0.5]
 [[fluid]]
-block = { min_m = [0, 0, 0], max_m = [0.4, 0.6, 0.5] }
+block = { min_m = [0, 0, 0], max_m = [0.4, 0.4, 0.5] }
 [solver]
 deterministic = true
 ";
@@ -51,7 +51,7 @@ fn particles(scene: &Scene, tier: Tier, relaxes: bool, change: fn(Plan) -> Plan)
     let mut planned = recorder.sweep().unwrap();
     planned.plan = change(planned.plan);
     let mut session = Session::start(&gpu(), planned).unwrap();
-    for _ in 0..if small() { 3 } else { 8 } {
+    for _ in 0..if small() { 3 } else { 5 } {
         session.submit(&FrameRequest { steps: 3, measure: true, sample: true, ..FrameRequest::default() }).unwrap();
     }
     if relaxes {

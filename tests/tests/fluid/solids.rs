@@ -25,7 +25,7 @@ fn through(leak: &Leak, settings: &[&str], steps: u32) -> usize {
 /// The whole of each motion, 10 s, is the example `leaks`.
 #[test]
 fn nobody_passes_a_wall_of_one_spacing() {
-    let (coarse, steps) = if small() { ("spacing_m=0.04", 10) } else { ("spacing_m=0.02", 60) };
+    let (coarse, steps) = if small() { ("spacing_m=0.04", 10) } else { ("spacing_m=0.025", 60) };
     // As thick as a spacing.
     let thickness = coarse.replace("spacing_m", "solid.0.thickness_m");
     for method in ["solver.method=pbf", "solver.method=none", "solver.method=sph", "solver.method=dfsph"] {
@@ -33,7 +33,7 @@ fn nobody_passes_a_wall_of_one_spacing() {
             assert_eq!(through(leak, &[coarse, &thickness, method], steps), 0, "{} with {method}", leak.name);
         }
     }
-    assert_eq!(through(&JET, &[coarse, "solid.0.box.size_m.0=0.02"], steps / 2), 0, "jet");
+    assert_eq!(through(&JET, &[coarse, "solid.0.box.size_m.0=0.025"], steps / 2), 0, "jet");
     assert_eq!(through(&JET, &[coarse, "solver.method=none"], steps / 2), 0, "jet of particles alone");
 }
 

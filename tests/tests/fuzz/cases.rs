@@ -19,8 +19,8 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
 /// Cases in the ordinary tests.
-const SCENES: u64 = 6_000;
-const CAPTURES: u64 = 3_000;
+const SCENES: u64 = 3_000;
+const CAPTURES: u64 = 2_000;
 
 /// Memory that reading a scene of some kilobytes and planning it may take: the recording of
 /// 10,000 iterations, the most a scene may have, is the largest part.

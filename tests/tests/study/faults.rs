@@ -4,6 +4,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use brooklet_compiler::{Places, naming::snake};
 use brooklet_fluid::scene::Acceleration;
@@ -102,8 +103,15 @@ fn shown(outcome: &Outcome) -> String {
     format!("{:?} {} {}", outcome.state, outcome.reason, figures.join(", "))
 }
 
+/// Of a task without a fault: run once, whatever asks first.
+fn sound(task: &Task) -> Outcome {
+    static KNOWN: Mutex<BTreeMap<String, Arc<OnceLock<Outcome>>>> = Mutex::new(BTreeMap::new());
+    let known = Arc::clone(KNOWN.lock().unwrap().entry(task.key("")).or_default());
+    known.get_or_init(|| run(task, SOUND)).clone()
+}
+
 fn check(task: &Task, fault: Fault<'_>) {
-    let sound = run(task, SOUND);
+    let sound = sound(task);
     println!("{} sound:  {}", task.case, shown(&sound));
     assert!(!is_red(&sound), "{}", shown(&sound));
     let faulty = run(task, fault);
