@@ -18,7 +18,7 @@ const FLAT_HULL: &str = "hull = { points_m = [[-0.1, -0.05, -0.1], [0.1, -0.05, 
 #[test]
 fn a_box_floats_as_deep_as_archimedes_says() {
     let steps = if small() { 5 } else { 200 };
-    for (density_kg_m3, method) in [(300.0, "pbf"), (700.0, "pbf"), (500.0, "dfsph")] {
+    for (density_kg_m3, method) in [(300.0, "pbf"), (700.0, "pbf"), (500.0, "dfsph"), (500.0, "sph")] {
         let scene = floating(FLAT_BOX, density_kg_m3, method, 0.025, SHALLOW_M);
         let mut session = Session::new(&gpu(), &scene).unwrap();
         let mut drafts_m = Vec::new();

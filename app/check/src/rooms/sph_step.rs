@@ -184,6 +184,8 @@ pub(crate) fn choose_time_step_matches_its_twin(device: &Device) {
             (left, time_s, long) = (chosen.left, time_s + chosen.dt_s, long + u32::from(chosen.is_long));
             worst.check(time_step.limit_s, limit_s, limit_s).or_raise();
             worst.check(state.time_s, time_s, f64::from(limits.step_s)).or_raise();
+            worst.check(state.dt_s, chosen.dt_s, f64::from(limits.step_s)).or_raise();
+            ensure!(chosen.dt_s > 0.0 || state.dt_s == 0.0, "substep {nth} takes {} s and none", state.dt_s);
             worst.check(time_step.left_s, left.left_s, f64::from(limits.step_s)).or_raise();
             ensure_eq!(time_step.substeps_left, left.substeps);
             ensure_eq!(state.slot_count, if chosen.dt_s > 0.0 { 100 } else { 0 });

@@ -108,18 +108,18 @@ static CHOOSE_TIME_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "4cee2928e2e1dd8e4238ac7f21b4036063b49e53a2c34e0132bfa4aa30259938",
+    hash: "5755e1b48026043a95331eeb7c839d3e936b8be77512ce5c0008f5b64874c566",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5688, bytes: 5572 },
+    spirv: Spirv::Packed { pack: PACK, first: 5688, bytes: 5536 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "cf5b4ba54572c2a4bfdca73fd7012e80a60fc5931f9feae8e3782e35e359cd6b",
+    hash: "23d08ed82951f7f5360f23fa984f1f75d2e1f1716096feb23c013a7d84ade2b4",
 };
