@@ -188,7 +188,8 @@ pub(crate) fn add_solid_acceleration_matches_its_twin(device: &Device) {
                 let added = push - borne;
                 let scale_m_s2 = 20.0 * per_m + gravity_m_s2.length();
                 worst.check3([x, y, z], added + DVec3::new(1.0, 0.0, -1.0), scale_m_s2).or_raise();
-                let given_m_s = if taken[i].body == NO_BODY { DVec3::ZERO } else { push * f64::from(DT_S) };
+                let across = push - solids.normal * solids.normal.dot(borne);
+                let given_m_s = if taken[i].body == NO_BODY { DVec3::ZERO } else { across * f64::from(DT_S) };
                 worst.check3(taken[i].taken_m_s, given_m_s, scale_m_s2 * f64::from(DT_S)).or_raise();
                 let kicked = vector(velocities[i].velocity_m_s) + added * (0.5 * f64::from(DT_S));
                 let limit_m_s = f64::from(pairs.step().max_speed_m_s);

@@ -150,24 +150,24 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     name: "AddSolidAcceleration",
     entry: "AddSolidAcceleration",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10528 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10588 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "01d25276a54555f5aeaa1d793b7467ec724d80089d399fd91499033a6ee289b3",
+    hash: "5feff24ab33128a729db866a7a5aa1fa8fcda8629a1f6e3eb0e119dce508c66e",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     name: "AddSolidAcceleration+SURFACE_TENSION",
     entry: "AddSolidAcceleration",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10528, bytes: 10796 },
+    spirv: Spirv::Packed { pack: PACK, first: 10588, bytes: 10856 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "810ef3bd04e68dafd494be5a2c657afb070ac3fccd6ec4e692357c274e3cab11",
+    hash: "ca977af28f3ba11601a1675d2b618c75058c4a39a252ee1046805accd3189019",
 };
