@@ -102,12 +102,10 @@ pub(crate) fn plane_distances(grid: &Grid, distances_m: &[f32], support_m: f64) 
 fn share(grid: &Grid, distances_m: &[f32], node: usize, lattice: &Lattice, support_m: f64) -> f64 {
     let at = grid.place(node);
     let own_m = f64::from(distances_m[node]);
-    let value = |at: IVec3| grid.index(at).map_or(f64::INFINITY, |index| f64::from(distances_m[index]));
+    let known = |at: IVec3| grid.index(at).map(|index| f64::from(distances_m[index]));
+    let value = |at: IVec3| known(at).unwrap_or(f64::INFINITY);
     let slope = DVec3::from_array([IVec3::X, IVec3::Y, IVec3::Z].map(|axis| {
-        let [below, above] = [at - axis, at + axis].map(|at| {
-            let away_m = value(at);
-            if away_m.is_finite() { away_m } else { own_m }
-        });
+        let [below, above] = [at - axis, at + axis].map(|at| known(at).unwrap_or(own_m));
         above - below
     }));
     let normal = slope.normalize_or_zero();
