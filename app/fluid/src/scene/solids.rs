@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::forms::Form;
 use super::mesh_shapes::{HullShape, MeshShape, TerrainShape, WheelShape};
+use super::solid_shapes::motion;
 
 /// A solid: a shape, where it stands, and how it moves.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -220,8 +221,7 @@ impl SolidSettings {
 
     /// Whether it moves as it is told, whatever is in its way: it does work on the fluid.
     pub fn is_driven(&self) -> bool {
-        let moves = [self.velocity_m_s, self.spin_deg_s].iter().flatten().any(|&speed| speed != 0.0);
-        self.density_kg_m3.is_none() && (moves || self.keyframes.len() > 1)
+        motion(self).0.len() > 1
     }
 
     /// Whether it is a mesh, a hull, a wheel or ground.
