@@ -1,5 +1,5 @@
 //! How bodies float: drafts by density, spacing and solver; a prism that turns on its edge; a ball as heavy as water.
-//! `cargo run --release --example afloat -- drafts|prism|neutral [METHOD ...]`
+//! `cargo run --release --example afloat -- drafts|prism|neutral [METHOD ...] [density=KG_M3 ...] [spacing_m=M ...]`
 
 use brooklet_fluid::{Scene, Session};
 use brooklet_kernels::BodyState;
@@ -13,20 +13,26 @@ const DENSITIES_KG_M3: [f64; 5] = [200.0, 350.0, 500.0, 700.0, 900.0];
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let Some((what, methods)) = arguments.split_first() else { panic!("drafts, prism or neutral") };
-    let methods: Vec<&str> = match methods {
-        [] => vec!["pbf", "sph", "dfsph"],
-        given => given.iter().map(String::as_str).collect(),
-    };
+    let named: Vec<&str> = methods.iter().map(String::as_str).filter(|method| !method.contains('=')).collect();
+    let methods = if named.is_empty() { vec!["pbf", "sph", "dfsph"] } else { named };
+    let densities_kg_m3 = chosen(&arguments, "density=", &DENSITIES_KG_M3);
     for method in methods {
-        for spacing_m in SPACINGS_M {
+        for &spacing_m in &chosen(&arguments, "spacing_m=", &SPACINGS_M) {
             match what.as_str() {
-                "drafts" => DENSITIES_KG_M3.iter().for_each(|&density| drafts(method, spacing_m, density)),
+                "drafts" => densities_kg_m3.iter().for_each(|&density| drafts(method, spacing_m, density)),
                 "prism" => turns(method, spacing_m),
                 "neutral" => drifts(method, spacing_m),
                 other => panic!("{other}: drafts, prism or neutral"),
             }
         }
     }
+}
+
+/// The numbers behind a name among the arguments, or all.
+fn chosen(arguments: &[String], name: &str, all: &[f64]) -> Vec<f64> {
+    let given: Vec<f64> =
+        arguments.iter().filter_map(|given| given.strip_prefix(name)).map(|x| x.parse().expect("a number")).collect();
+    if given.is_empty() { all.to_vec() } else { given }
 }
 
 /// Runs a scene, and calls `visit` with the time and the session so many times a second.

@@ -64,9 +64,9 @@ impl StatField {
     }
 }
 
-impl From<(&str, &str, &str)> for StatField {
-    fn from((name, unit, description): (&str, &str, &str)) -> Self {
-        Self::new(name, unit, description)
+impl<N: AsRef<str>> From<(N, &str, &str)> for StatField {
+    fn from((name, unit, description): (N, &str, &str)) -> Self {
+        Self::new(name.as_ref(), unit, description)
     }
 }
 

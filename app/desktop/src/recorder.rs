@@ -57,7 +57,9 @@ impl Recorder {
 
     /// Takes finished frames, whose pictures `passes` drew and learn from.
     pub fn take(&mut self, reports: Vec<SessionReport>, mut passes: Option<&mut FramePasses>) {
-        for SessionReport { mut report, steps, simulated_s, stats } in reports {
+        for told in reports {
+            let values = captured_values(&told);
+            let SessionReport { mut report, steps, stats, .. } = told;
             if let Some(shift_ns) = self.shift_ns {
                 report.frame = self.next_frame;
                 report.wall_ns += shift_ns;
@@ -68,8 +70,7 @@ impl Recorder {
                 passes.learn(&report).iter().for_each(|counts| self.meshes.add(counts));
             }
             self.record(|capture| capture.frame(&report));
-            if let Some(stats) = stats {
-                let mut values = captured_values(steps, simulated_s, &stats);
+            if let (Some(stats), Some(mut values)) = (stats, values) {
                 if passes.as_ref().is_some_and(|passes| passes.mesh_counts().is_some()) {
                     values.extend(mesh_values(&self.meshes.last().copied().unwrap_or_default()));
                 }

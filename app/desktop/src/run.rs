@@ -175,7 +175,7 @@ pub fn run(options: &RunOptions) -> Result<(), Failure> {
 fn stat_fields(scene: &Scene, passes: Option<&FramePasses>) -> Vec<StatField> {
     let is_meshed = passes.is_some_and(|passes| passes.mesh_counts().is_some());
     let mesh = MESH_FIELDS.into_iter().filter(|_| is_meshed);
-    captured_fields(scene).chain(mesh).map(StatField::from).collect()
+    captured_fields(scene).map(StatField::from).chain(mesh.map(StatField::from)).collect()
 }
 
 fn open_capture(

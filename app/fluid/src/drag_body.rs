@@ -36,7 +36,7 @@ pub struct BodyDragPass {
 /// Records a drag of a body beside a scene's other recordings; none of a scene without bodies. Until
 /// [`BodyDragPass::write`] it moves nothing.
 pub fn record_drag_body(resources: &mut Resources, recorded: &mut Recorded) -> Option<BodyDragPass> {
-    let bodies = recorded.bodies.as_mut()?;
+    let bodies = recorded.bodies.as_mut().filter(|bodies| bodies.count > 0)?;
     let mut params = resources.persistent("body_drag_params", 1);
     recorded.init.upload(&mut params, &[idle()]);
     let mut recording = resources.recording("drag_body");

@@ -20,6 +20,7 @@ mod slot_changes;
 mod slots;
 pub mod smoothing_kernel;
 mod smoothing_kernel_params;
+mod solid_forces;
 pub mod solver;
 pub mod spectrum;
 mod stat_fields;

@@ -1,7 +1,10 @@
 //! What a measurement says, by name and unit: for captures, tables and plots.
 
+use std::borrow::Cow;
+
 use crate::measure::Stats;
-use crate::scene::Scene;
+use crate::scene::{Scene, measured_solids};
+use crate::session::SessionReport;
 
 /// One value of a measurement.
 #[derive(Clone, Copy, Debug)]
@@ -110,32 +113,59 @@ pub const STAT_FIELDS: &[StatField] = &[
 ];
 
 /// What a capture tells of a measurement (`/sim/stats`): name, unit and description of each value, first those that
-/// say which step it was and when in the simulation.
-pub fn captured_fields(scene: &Scene) -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+/// say which step it was and when in the simulation, last the force on each solid whose force is measured.
+pub fn captured_fields(scene: &Scene) -> impl Iterator<Item = (Cow<'static, str>, &'static str, &'static str)> {
     let clock = [("step", "1", "Number of the step that was measured"), ("simulated_s", "s", "Simulated time")];
     let has_density = scene.solver.method.interacts();
     let fields = STAT_FIELDS.iter().filter(move |field| has_density || !field.of_density);
-    clock.into_iter().chain(fields.map(|field| (field.name, field.unit, field.description)))
+    let of_fluid = clock.into_iter().chain(fields.map(|field| (field.name, field.unit, field.description)));
+    let forces = measured_solids(scene).flat_map(|solid| {
+        let force = move |axis| format!("solid_{solid}_force_{axis}_n");
+        ["x", "y", "z"]
+            .map(|axis| (force(axis).into(), "N", "Mean force of the fluid on the solid since the last measurement"))
+    });
+    of_fluid.map(|(name, unit, description)| (name.into(), unit, description)).chain(forces)
 }
 
-/// The values of [`captured_fields`], in their order.
-pub fn captured_values(step: u64, simulated_s: f64, stats: &Stats) -> Vec<f64> {
-    let clock = [step as f64, simulated_s];
+/// The values of [`captured_fields`], in their order; none of a report that brought no measurement.
+pub fn captured_values(report: &SessionReport) -> Option<Vec<f64>> {
+    let stats = report.stats.as_ref()?;
+    let clock = [report.steps as f64, report.simulated_s];
     let fields = STAT_FIELDS.iter().filter(|field| stats.has_density || !field.of_density);
-    clock.into_iter().chain(fields.map(|field| (field.value)(stats))).collect()
+    let of_fluid = clock.into_iter().chain(fields.map(|field| (field.value)(stats)));
+    Some(of_fluid.chain(report.forces_n.iter().flatten().copied()).collect())
 }
 
 #[cfg(test)]
 mod tests {
+    use brooklet_gpu::{FrameReport, TimingStatus};
+
     use super::*;
 
     #[test]
     fn fields_and_values_go_together() {
         let mut stats = Stats { has_density: true, front_m: 1.5, ..Stats::default() };
-        let scene = Scene::load("dam-break", &[]).unwrap();
+        let scene = Scene::load(
+            "dam-break",
+            &["solid=[{ sphere = { radius_m = 0.3 } }, { box = { size_m = [1, 1, 1] }, measure_force = true }]".into()],
+        )
+        .unwrap();
         stats.compression.max = 0.25;
         stats.counters.speed_clamps = 7;
-        let values = captured_values(12, 0.05, &stats);
+        let report = FrameReport {
+            frame: 0,
+            wall_ns: 0,
+            spans: Vec::new(),
+            dropped_spans: 0,
+            readbacks: Vec::new(),
+            timing: TimingStatus::Off,
+            timestamp_period_ns: 1.0,
+        };
+        let mut told =
+            SessionReport { report, steps: 12, simulated_s: 0.05, stats: None, forces_n: vec![[1.0, 2.0, 3.0]] };
+        assert!(captured_values(&told).is_none());
+        told.stats = Some(stats);
+        let values = captured_values(&told).unwrap();
         assert_eq!(captured_fields(&scene).count(), values.len());
         let value = |wanted: &str| values[captured_fields(&scene).position(|(name, ..)| name == wanted).unwrap()];
         assert_eq!(value("step"), 12.0);
@@ -143,5 +173,6 @@ mod tests {
         assert_eq!(value("compression_max"), 0.25);
         assert_eq!(value("front_m"), 1.5);
         assert_eq!(value("speed_clamps"), 7.0);
+        assert_eq!(["solid_1_force_x_n", "solid_1_force_y_n", "solid_1_force_z_n"].map(value), [1.0, 2.0, 3.0]);
     }
 }

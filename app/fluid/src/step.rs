@@ -2,8 +2,8 @@
 
 use brooklet_gpu::{Engine, GpuError, Plan, Recording, RecordingId, Resources};
 use brooklet_kernels::{
-    Buffer, Counters, EmitterState, Measure, PbfParams, Position, ResourceId, SolidPose, SolidsParams, StepParams,
-    Velocity, WarmStart,
+    Buffer, Counters, EmitterState, Measure, PbfParams, Position, REACTION_WORDS, ResourceId, SolidPose, SolidsParams,
+    StepParams, Velocity, WarmStart,
 };
 
 use crate::body_motion::BodyMotion;
@@ -112,6 +112,12 @@ impl Recorded {
     /// What a measurement is read back from, if the scene measures.
     pub fn measure_id(&self) -> Option<ResourceId> {
         self.measure.as_ref().map(|measure| measure.output.id)
+    }
+
+    /// What a measurement reads back: that, and reactions of solids whose force is measured.
+    pub fn measured_ids(&self) -> Vec<ResourceId> {
+        let forces = self.bodies.as_ref().filter(|bodies| bodies.reactions.len > bodies.count * REACTION_WORDS);
+        self.measure_id().into_iter().flat_map(|id| [id].into_iter().chain(forces.map(|of| of.reactions.id))).collect()
     }
 
     /// Waits, and copies the particles to the host, in cell order: to save them, or to carry them over

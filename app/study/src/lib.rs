@@ -34,7 +34,7 @@ pub mod validation;
 
 pub use figure::{Figure, Verdict};
 pub use runner::Runner;
-pub use sample::Sample;
+pub use sample::{Force, Sample};
 pub use session::{Event, Fault, Session, StudyError};
 pub use setup::{Setup, SetupResult};
 pub use store::{RESULTS, Store, StoreError};

@@ -13,6 +13,17 @@ pub struct Sample {
     pub velocities_m_s: Vec<DVec3>,
     /// Particles that are lost, there twice, not finite, or out of the simulation.
     pub unsound: usize,
+    /// What the fluid pushed solids with whose force is measured, step by step since the sample before; none of twins.
+    pub forces: Vec<Force>,
+}
+
+/// Mean forces of a step.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Force {
+    /// At its end, since the start, s.
+    pub time_s: f64,
+    /// On each solid whose force is measured, N.
+    pub on_solids_n: Vec<DVec3>,
 }
 
 impl Sample {

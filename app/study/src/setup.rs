@@ -74,6 +74,7 @@ impl Setup {
             positions_m: self.particles.positions.iter().map(position_m).collect(),
             velocities_m_s: self.particles.velocities.iter().map(velocity_m_s).collect(),
             unsound: 0,
+            forces: Vec::new(),
         }
     }
 

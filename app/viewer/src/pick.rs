@@ -1,8 +1,8 @@
 //! Which solid is under the pointer: a ray of view against the solids as they were last seen.
 
 use brooklet_fluid::Scene;
-use brooklet_fluid::scene::{SolidLook, SolidSurface, solids};
-use brooklet_kernels::{NO_BODY, SolidPose};
+use brooklet_fluid::scene::{SolidLook, SolidSurface, body_count, solids};
+use brooklet_kernels::SolidPose;
 use glam::{DQuat, DVec3};
 
 /// What can be under the pointer.
@@ -39,10 +39,11 @@ impl PickSolid {
     /// All solids of a scene.
     pub fn all(scene: &Scene) -> Vec<Self> {
         let (told, _) = solids(scene);
+        let bodies = body_count(scene);
         let each = scene.solids.iter().zip(&told);
         each.map(|(settings, told)| Self {
             surface: SolidSurface::of(settings, scene),
-            body: (told.body != NO_BODY).then_some(told.body),
+            body: (told.body < bodies).then_some(told.body),
             is_glass: settings.look == SolidLook::Glass,
         })
         .collect()

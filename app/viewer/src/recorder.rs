@@ -36,6 +36,8 @@ pub struct Recorder {
     writer: CaptureWriter<File>,
     clock: CaptureClock,
     has_density: bool,
+    /// How many values a measurement has, but for a mesh's.
+    fluid_fields: usize,
     has_mesh: bool,
     heat: DeviceState,
     thumbnails: Thumbnails,
@@ -56,7 +58,10 @@ impl Recorder {
         let has_mesh = current.is_meshed();
         let mesh = MESH_FIELDS.into_iter().filter(|_| has_mesh);
         let options = CaptureOptions {
-            stats: captured_fields(current.session.scene()).chain(mesh).map(StatField::from).collect(),
+            stats: captured_fields(current.session.scene())
+                .map(StatField::from)
+                .chain(mesh.map(StatField::from))
+                .collect(),
             start: clock.start(),
             spans_every: SPANS_EVERY,
             ..CaptureOptions::default()
@@ -71,6 +76,7 @@ impl Recorder {
             writer,
             clock,
             has_density: current.session.scene().solver.method.interacts(),
+            fluid_fields: captured_fields(current.session.scene()).count(),
             has_mesh,
             heat: DeviceState::find(),
             thumbnails: Thumbnails::new(),
@@ -97,15 +103,16 @@ impl Recorder {
         mesh: Option<&MeshCounts>,
         handed: Instant,
     ) -> Result<(), CaptureError> {
-        let SessionReport { mut report, steps, simulated_s, stats } = frame;
+        let values = captured_values(&frame);
+        let SessionReport { mut report, stats, .. } = frame;
         report.frame = self.frames;
         report.wall_ns = self.clock.ns_at(handed);
         self.frames += 1;
         self.writer.frame(&report)?;
         // A scene whose particles have no densities has none of the fields that this capture began with, or the other
-        // way round: its measurements are left out.
-        if let Some(stats) = stats.filter(|stats| stats.has_density == self.has_density) {
-            let mut values = captured_values(steps, simulated_s, &stats);
+        // way round, and so has one with other solids whose force is measured: its measurements are left out.
+        let same = stats.is_some_and(|stats| stats.has_density == self.has_density);
+        if let Some(mut values) = values.filter(|values| same && values.len() == self.fluid_fields) {
             if self.has_mesh {
                 values.extend(mesh_values(&mesh.copied().unwrap_or_default()));
             }

@@ -38,6 +38,7 @@ mod session;
 mod settings;
 mod sharing;
 mod slots;
+mod solid_forces;
 mod solids;
 mod sph;
 mod state;

@@ -42,6 +42,7 @@ box = { size_m = [0.4, 0.2, 0.4] }
 centre_m = [0.7, 0.1, 0.4]
 velocity_m_s = [0.2, 0, 0]
 friction = 0.2
+measure_force = true
 [[solid]]
 capsule = { radius_m = 0.05, length_m = 0.3 }
 turned_deg = [0, 0, 80]
@@ -184,8 +185,10 @@ fn tensor(moments: [f32; 3], products: [f32; 3]) -> DMat3 {
     DMat3::from_cols_array_2d(&[[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
 }
 
-fn named(body: u32) -> Option<usize> {
-    (body != NO_BODY).then_some(body as usize)
+/// The body of a number; none of what gives its reaction without being one.
+fn named(body: u32, bodies: &[RigidBody]) -> Option<usize> {
+    let number = body as usize;
+    (number < bodies.len()).then_some(number)
 }
 
 /// What the kernel finds, by point.
@@ -239,7 +242,7 @@ pub(crate) fn find_contacts_matches_its_twin(device: &Device) {
                 solid: TwinSolid::of(solid, &case.fields),
                 pose: Pose { position_m: vector(pose.position_m), rotation: quaternion(pose.rotation) },
                 before: Pose { position_m: vector(pose.before_m), rotation: quaternion(pose.rotation_before) },
-                body: named(solid.body),
+                body: named(solid.body, &case.bodies),
                 friction: solid.friction.into(),
                 restitution: solid.restitution.into(),
             })
@@ -260,7 +263,7 @@ pub(crate) fn find_contacts_matches_its_twin(device: &Device) {
             let mut had = 0;
             for contact in got.iter().filter(|contact| contact.body != NO_BODY) {
                 let is_it = |(other, _): &&(twin::BodyContact, f64)| {
-                    other.other == named(contact.other)
+                    other.other == named(contact.other, &case.bodies)
                         && other.normal.distance(vector(contact.normal)) < 1e-3
                         && (other.gap_m - f64::from(contact.gap_m)).abs() < 1e-4
                 };
@@ -359,7 +362,7 @@ fn check_step(device: &Device, rng: &mut impl Rng, share: f64, worst: &mut Worst
             gap_m: contact.gap_m.into(),
             normal: vector(contact.normal),
             body: contact.body as usize,
-            other: named(contact.other),
+            other: named(contact.other, &case.bodies),
             other_m_s: vector(contact.other_m_s),
             friction: contact.friction.into(),
             restitution: contact.restitution.into(),

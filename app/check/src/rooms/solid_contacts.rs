@@ -276,8 +276,10 @@ pub(crate) fn corrections_near_solids_match_their_twin(device: &Device) {
         let step_params = bench.uniform("step_params", pairs.step());
         let kernel_buffer = bench.uniform("kernel", kernel());
         let pbf = bench.uniform("pbf", params);
-        let solids_params = bench
-            .uniform("solids_params", SolidsParams { stop_m: STOP_M as f32, body_count: 2, ..SolidsParams::default() });
+        let solids_params = bench.uniform(
+            "solids_params",
+            SolidsParams { stop_m: STOP_M as f32, units_per_m_s: 1.0, ..SolidsParams::default() },
+        );
         bench.dispatch(
             &CorrectPositions {
                 variant: CorrectPositionsVariant {

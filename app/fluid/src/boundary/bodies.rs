@@ -2,7 +2,8 @@
 //!
 //! What a solid does to particles it does whether it is a body or not. A body gets all of it back: what stops paths adds to
 //! its reaction at once, what iterations do is remembered in each particle's contact and gathered behind them. The next
-//! substep begins with moving bodies by that.
+//! substep begins with moving bodies by that. What pushes a solid that moves as it is told may be summed likewise, and is read
+//! by whoever measures.
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
@@ -10,10 +11,10 @@ use brooklet_kernels::{
     RigidBody, Solid, SolidContact, SolidPose, SolidsParams, StepBodies, StepParams, SurfacePoint,
 };
 
-use crate::scene::{Scene, bodies, body_count, surface_point_count, surface_points};
+use crate::scene::{Scene, bodies, body_count, reaction_count, surface_point_count, surface_points};
 use crate::slots::Slots;
 
-/// The bodies of a scene.
+/// The bodies of a scene, and its solids whose force is measured.
 pub struct Bodies {
     points: Buffer<SurfacePoint>,
     contacts: Buffer<BodyContact>,
@@ -23,18 +24,25 @@ pub struct Bodies {
 
 /// What lasts of bodies from step to step, and what they weigh.
 pub struct BodyBuffers {
+    /// How many there are. Behind them in `states` and `reactions` come the solids whose force is measured.
+    pub count: u32,
     /// Their inertia.
     pub inertia: Buffer<RigidBody>,
     /// How they move.
     pub states: Buffer<BodyState>,
-    /// What particles gave back since the last substep.
+    /// What particles gave back: bodies since the last substep, others since the session began.
     pub reactions: Buffer<u32>,
 }
 
 impl BodyBuffers {
     /// The same, for another owner.
     pub(crate) fn alias(&self) -> Self {
-        Self { inertia: self.inertia.alias(), states: self.states.alias(), reactions: self.reactions.alias() }
+        Self {
+            count: self.count,
+            inertia: self.inertia.alias(),
+            states: self.states.alias(),
+            reactions: self.reactions.alias(),
+        }
     }
 }
 
@@ -51,14 +59,17 @@ pub(super) struct Around<'a> {
 impl Bodies {
     /// Those of a scene; none of one that has none.
     pub(super) fn declare(resources: &mut Resources, scene: &Scene) -> Option<Self> {
-        let (count, points) = (body_count(scene), surface_point_count(scene));
-        (count > 0).then(|| Self {
+        let (count, reactions) = (body_count(scene), reaction_count(scene));
+        // Without bodies nobody binds these, and they are not allocated.
+        let points = surface_point_count(scene).max(1);
+        (reactions > 0).then(|| Self {
             points: resources.persistent("surface_points", points),
             contacts: resources.buffer("body_contacts", CONTACTS_PER_POINT * points),
             buffers: BodyBuffers {
-                inertia: resources.persistent("bodies", count),
-                states: resources.persistent("body_states", count),
-                reactions: resources.persistent("reactions", REACTION_WORDS * count),
+                count,
+                inertia: resources.persistent("bodies", count.max(1)),
+                states: resources.persistent("body_states", reactions),
+                reactions: resources.persistent("reactions", REACTION_WORDS * reactions),
             },
         })
     }
@@ -70,6 +81,9 @@ impl Bodies {
 
     /// Moves them by what the last substep's particles gave, gravity, and what they touch.
     pub(super) fn record_step(&mut self, recording: &mut Recording, around: Around<'_>) {
+        if self.buffers.count == 0 {
+            return;
+        }
         let Around { solids, poses, fields, slots, step, params } = around;
         recording.dispatch(
             &FindContacts {

@@ -14,7 +14,7 @@ use brooklet_kernels::{
 
 use super::bodies::{Around, Bodies, BodyBuffers};
 use crate::diffuse::slots::DiffuseSlots;
-use crate::scene::{Scene, body_count, field_nodes, solids, surface_point_count};
+use crate::scene::{Scene, body_count, field_nodes, reaction_count, solids, surface_point_count};
 use crate::slots::Slots;
 
 /// Blocks along the longest side of the domain, at most.
@@ -50,6 +50,7 @@ pub fn solids_params(scene: &Scene) -> SolidsParams {
     // Whom a substep may bring to a surface, and whom its iterations may.
     let path_m = (scene.max_speed_m_s() * scene.substep_s()).min(2.0 * longest_m);
     let units_per_m_s = UNITS_OF_THE_FASTEST / scene.max_speed_m_s().min(FAST_M_S);
+    let has_reactions = reaction_count(scene) > 0;
     SolidsParams {
         blocks: blocks.map(|blocks| blocks as u32),
         solid_count: scene.solids.len() as u32,
@@ -59,7 +60,7 @@ pub fn solids_params(scene: &Scene) -> SolidsParams {
         stop_m: scene.wall_offset_m() as f32,
         body_count: body_count(scene),
         point_count: surface_point_count(scene),
-        units_per_m_s: units_per_m_s as f32,
+        units_per_m_s: if has_reactions { units_per_m_s as f32 } else { 0.0 },
         unit_kg_m_s: (scene.particle_mass_kg() / units_per_m_s) as f32,
     }
 }

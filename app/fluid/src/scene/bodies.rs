@@ -103,11 +103,6 @@ pub(super) fn body_solids(scene: &Scene) -> impl Iterator<Item = (usize, &SolidS
     solids.filter_map(|(index, solid)| Some((index, solid, solid.density_kg_m3?)))
 }
 
-/// How many of the solids are bodies.
-pub fn body_count(scene: &Scene) -> u32 {
-    body_solids(scene).count() as u32
-}
-
 /// How many points all of their surfaces have.
 pub fn surface_point_count(scene: &Scene) -> u32 {
     body_solids(scene).map(|(_, solid, _)| points_of(solid).len() as u32).sum()

@@ -28,6 +28,7 @@ mod panel;
 mod paths;
 mod pbf;
 mod poses;
+mod reactions;
 #[cfg(feature = "schema")]
 mod schema;
 mod settings;
@@ -42,7 +43,7 @@ mod terms;
 mod tests;
 mod update;
 
-pub use bodies::{bodies, body_count, body_mass_kg, first_body_states, surface_point_count, surface_points};
+pub use bodies::{bodies, body_mass_kg, first_body_states, surface_point_count, surface_points};
 pub use change::Change;
 pub use dfsph::DfsphSettings;
 pub use diffuse::DiffuseSettings;
@@ -64,6 +65,7 @@ pub use none::NoneSettings;
 pub use panel::Setting;
 pub use pbf::{Acceleration, PbfSettings};
 pub use poses::poses_before;
+pub use reactions::{body_count, measured_solids, reaction_count};
 #[cfg(feature = "schema")]
 pub use schema::schema;
 pub use shipped::shipped_scenes;

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use brooklet_kernels::{Keyframe, MAX_SOLIDS, NO_BODY, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, SHAPE_FIELD, Solid};
+use brooklet_kernels::{Keyframe, MAX_SOLIDS, SHAPE_BOX, SHAPE_CAPSULE, SHAPE_CYLINDER, SHAPE_FIELD, Solid};
 use brooklet_shapes::Field;
 use glam::{DQuat, DVec2, DVec3};
 
 use super::forms::fields;
+use super::reactions::reaction_places;
 use super::{Scene, Shape, SolidSettings};
 
 /// Solids that a scene may have.
@@ -137,9 +138,8 @@ pub(super) fn cavity_m(solid: &SolidSettings) -> Option<[DVec3; 2]> {
 pub fn solids(scene: &Scene) -> (Vec<Solid>, Vec<Keyframe>) {
     let origin_m = DVec3::from_array(scene.domain.min_m);
     let mut keyframes = Vec::new();
-    let mut bodies = 0..;
     let fields = fields(scene);
-    let of = |solid: &SolidSettings| {
+    let of = |(solid, body): (&SolidSettings, u32)| {
         let (shape, half_m, extent_m) = halves(solid);
         let cavity_m = cavity_m(solid);
         let [cavity_min_m, cavity_max_m] = cavity_m.unwrap_or_default().map(|end_m| end_m.as_vec3().to_array());
@@ -162,11 +162,11 @@ pub fn solids(scene: &Scene) -> (Vec<Solid>, Vec<Keyframe>) {
             first_keyframe,
             keyframe_count: poses.len() as u32,
             period_s: period_s as f32,
-            body: solid.density_kg_m3.and_then(|_| bodies.next()).unwrap_or(NO_BODY),
+            body,
             ..field_of(solid.field(scene), &fields)
         }
     };
-    let solids = scene.solids.iter().map(of).collect();
+    let solids = scene.solids.iter().zip(reaction_places(scene)).map(of).collect();
     (solids, keyframes)
 }
 

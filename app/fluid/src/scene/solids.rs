@@ -62,6 +62,10 @@ pub struct SolidSettings {
     /// Whether keyframes begin again after the last.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub repeat: bool,
+    /// Whether it is told what the fluid pushes it with; not of one with a density, whose motion tells. A particle near two
+    /// solids pushes the nearer.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub measure_force: bool,
     /// Coulomb friction of particles that touch it: share of the push across it that acts along it.
     pub friction: f64,
     /// Share of the speed across it that particles which run into it keep.

@@ -181,7 +181,7 @@ fn the_table_has_every_field() {
         &[
             "capacity=5000",
             "forces.field=[{ end_s = 2 }]",
-            "solid=[{ box = { size_m = [1, 1, 1] }, thickness_m = 0.1, open = \"x_min\", color = [1, 0, 0] }, { sphere = { radius_m = 0.2 }, centre_m = [0.75, 0.75, 0.75], density_kg_m3 = 500 }, \
+            "solid=[{ box = { size_m = [1, 1, 1] }, thickness_m = 0.1, open = \"x_min\", color = [1, 0, 0], measure_force = true }, { sphere = { radius_m = 0.2 }, centre_m = [0.75, 0.75, 0.75], density_kg_m3 = 500 }, \
              { capsule = { radius_m = 0.2, length_m = 0.5 } }, { cylinder = { radius_m = 0.2, length_m = 0.5 }, \
              keyframe = [{ time_s = 0 }, { time_s = 1 }], repeat = true }]",
             "emitter=[{ radius_m = 0.2, centre_m = [0.5, 0.5, 0.5], speed_m_s = 1, end_s = 2, lifetime_s = 1 }, \

@@ -1,5 +1,6 @@
 //! A scene running on a GPU: what every program that steps one goes through.
 
+mod bodies;
 mod plan;
 mod relax;
 
@@ -13,15 +14,14 @@ use brooklet_gpu::{Engine, FrameReport, Gpu, GpuError, Plan, PlanError, Recordin
 use brooklet_kernels::{Buffer, Position, WarmStart};
 use thiserror::Error;
 
-use crate::body_motion::BodyMotion;
-use crate::boundary::bodies::BodyBuffers;
 use crate::boundary::solids::solids_params;
 use crate::drag::{Drag, DragPass};
 use crate::drag_body::{BodyDrag, BodyDragPass};
 use crate::measure::{Sample, Stats};
 use crate::particles::ParticleSet;
-use crate::scene::{Scene, Update, emitter_states, poses_before};
+use crate::scene::{Scene, Update, emitter_states};
 use crate::slot_changes::{DrainBox, ParticleBlock, SlotChanges};
+use crate::solid_forces::SolidForces;
 use crate::solver::pbf::{self, IterationWeights};
 use crate::step::Recorded;
 use crate::step_params::step_params;
@@ -53,6 +53,8 @@ pub struct FrameRequest<'a> {
     pub steps: u32,
     /// Measures after the steps, if the scene measures.
     pub measure: bool,
+    /// Reads what pushes solids whose force is measured, after the steps; a measurement does so as well.
+    pub forces: bool,
     /// Other recordings of the session's plan, after that.
     pub then: &'a [RecordingId],
     /// Samples the particles, if the session was recorded with samples.
@@ -72,6 +74,9 @@ pub struct SessionReport {
     pub simulated_s: f64,
     /// Its measurement, if it measured.
     pub stats: Option<Stats>,
+    /// The mean force of the fluid on each solid whose force is measured, N, since they were last read; none if this frame did
+    /// not read them.
+    pub forces_n: Vec<[f64; 3]>,
 }
 
 /// A frame handed to the GPU.
@@ -107,6 +112,7 @@ pub struct Session {
     steps: u64,
     since: TimeBase,
     stats: Option<Stats>,
+    forces: Option<SolidForces>,
     in_flight: VecDeque<InFlightFrame>,
     kept: VecDeque<SessionReport>,
     // A frame's, kept for their memory.
@@ -160,6 +166,7 @@ impl Session {
             (Some(relaxation), Some(particles)) => run_relaxation(gpu, *relaxation, particles)?,
             _ => None,
         };
+        let forces = SolidForces::of(recorded.bodies.as_ref(), start.simulated_s);
         let mut session = Self {
             engine: Engine::new_with_progress(gpu, plan, progress)?,
             scene,
@@ -174,6 +181,7 @@ impl Session {
             steps: start.steps,
             since: start,
             stats: None,
+            forces,
             in_flight: VecDeque::new(),
             kept: VecDeque::new(),
             order: Vec::new(),
@@ -219,6 +227,9 @@ impl Session {
         if let Some(measure) = self.recorded.measure.as_ref().filter(|_| request.measure) {
             self.order.push(measure.recording.id());
             self.readbacks.push(measure.output.id);
+        }
+        if let Some(forces) = self.forces.as_ref().filter(|_| request.forces || request.measure) {
+            self.readbacks.push(forces.reactions);
         }
         self.order.extend_from_slice(request.then);
         if let Some(sample) = self.sample.as_ref().filter(|_| request.sample) {
@@ -278,7 +289,13 @@ impl Session {
             let Some(handed) = self.in_flight.pop_front_if(|handed| handed.frame == report.frame) else { continue };
             let stats = measure.and_then(|id| report.readback(id)).map(|bytes| Stats::new(bytes, &self.scene));
             self.stats = stats.or(self.stats);
-            self.kept.push_back(SessionReport { report, steps: handed.steps, simulated_s: handed.simulated_s, stats });
+            let InFlightFrame { steps, simulated_s, .. } = handed;
+            let forces_n = self
+                .forces
+                .as_mut()
+                .and_then(|forces| Some(forces.take(report.readback(forces.reactions)?, &self.scene, simulated_s)))
+                .unwrap_or_default();
+            self.kept.push_back(SessionReport { report, steps, simulated_s, stats, forces_n });
         }
         self.kept.drain(..self.kept.len().saturating_sub(MOST_KEPT));
     }
@@ -306,33 +323,6 @@ impl Session {
         self.engine.write(&self.recorded.velocities, &particles.velocities);
         // Whose pressure it was is another's now.
         self.begin_cold();
-    }
-
-    /// Waits, and copies to the host how the bodies move.
-    ///
-    /// # Errors
-    /// If the device is lost.
-    pub fn read_bodies(&mut self) -> Result<BodyMotion, GpuError> {
-        let Some(BodyBuffers { states, reactions, .. }) = &self.recorded.bodies else {
-            return Ok(BodyMotion::default());
-        };
-        Ok(BodyMotion { states: self.engine.read(states)?, reactions: self.engine.read(reactions)? })
-    }
-
-    /// Lets the bodies go on as `motion` says, before the next frame, and puts all other solids where they begin; nothing if
-    /// it is of more or fewer bodies.
-    pub fn write_bodies(&mut self, motion: &BodyMotion) {
-        let has = self.recorded.bodies.as_ref().map_or(0, |bodies| bodies.states.len as usize);
-        if motion.states.len() != has {
-            return;
-        }
-        if let Some(BodyBuffers { states, reactions, .. }) = &self.recorded.bodies {
-            self.engine.write(states, &motion.states);
-            self.engine.write(reactions, &motion.reactions);
-        }
-        if let Some(poses) = &self.recorded.solid_poses {
-            self.engine.write(poses, &poses_before(&self.scene, &motion.states));
-        }
     }
 
     /// Emitters go on as if they had run until now.
@@ -411,6 +401,9 @@ impl Session {
     /// If the device is lost.
     pub fn adopt(&mut self, old: &Session) -> Result<(), GpuError> {
         self.engine.adopt(&old.engine, &self.init)?;
+        if let Some(forces) = &mut self.forces {
+            forces.begin_anew();
+        }
         self.steps = old.steps;
         self.since = TimeBase { steps: old.steps, simulated_s: old.simulated_s() };
         if old.scene.emitters != self.scene.emitters {

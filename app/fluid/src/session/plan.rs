@@ -72,7 +72,7 @@ impl SessionRecorder {
         let recorded = record_count(&mut resources, scene, count);
         Self {
             init: vec![recorded.init.id()],
-            wanted: recorded.measure_id().into_iter().collect(),
+            wanted: recorded.measured_ids(),
             resources,
             recorded,
             scene: scene.clone(),

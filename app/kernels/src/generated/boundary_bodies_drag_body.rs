@@ -65,5 +65,5 @@ static DRAG_BODY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/drag_body.compute",
-    hash: "3e63b7f327de5cee4d3e45bc2b60fb6111dd03fd290c994e085e3c98ed96e9ef",
+    hash: "c48a7e83dcdc2b3ab93e5bac6c289369c7088e81ecfe14146d5087744538f264",
 };

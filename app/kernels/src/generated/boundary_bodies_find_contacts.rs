@@ -90,11 +90,11 @@ static FIND_CONTACTS: Module = Module {
     name: "FindContacts",
     entry: "FindContacts",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 23272 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 23352 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/find_contacts.compute",
-    hash: "e2e70f2eef6bdc1bcc1ddd444c761d6d09258cd7bd491131e43b3b8ba9ff0c9c",
+    hash: "2fe85cf1ac041ab2028591352297c9ac5f67c800581f6ae90333d194ed0eb7c7",
 };

@@ -83,5 +83,5 @@ static GATHER_REACTIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/gather_reactions.compute",
-    hash: "21d1623291e6e29820e10edd74cc1a17259b2bcd59960c560c1931ed1dbea1d7",
+    hash: "74d9b0e069f43da7d6dead54e35919b7ce1b2a1bc11f473dcafff5e8cc4efdd5",
 };

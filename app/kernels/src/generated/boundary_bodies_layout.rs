@@ -16,7 +16,8 @@ pub const NO_BODY: u32 = 4294967295;
 pub const CONTACTS_PER_POINT: u32 = 4;
 
 /// Words of a body's reaction: three components of an impulse, three of its moment, 64 bits each, low words first; then how
-/// many times particles pushed.
+/// many times particles pushed. Those of bodies come first, and are taken by step\_bodies; then those of solids whose force is
+/// measured, about the domain's corner, which nobody takes.
 pub const REACTION_WORDS: u32 = 16;
 
 /// A body: the solid that it is, its inertia, and what holds it.
@@ -76,7 +77,7 @@ const _: () = {
     assert!(size_of::<RigidBody>() == 128);
 };
 
-/// How a body moves.
+/// How a body moves; of a solid whose force is measured all of it 0.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct BodyState {

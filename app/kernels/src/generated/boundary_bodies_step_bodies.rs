@@ -96,5 +96,5 @@ static STEP_BODIES: Module = Module {
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "dad508441cb9bd6c616053d3a9ec338fae181861421a1f2e3d2b60eddafe3dbd",
+    hash: "e8bce86547aee42e5ef9c9cdbc418215a38097e130dd412debeec763f64072af",
 };

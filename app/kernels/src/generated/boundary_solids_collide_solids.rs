@@ -138,24 +138,24 @@ static COLLIDE_SOLIDS: Module = Module {
     name: "CollideSolids",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 43364 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 44224 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "ec8178dc3b026a758138140718542f48af35d8f2994ce5202912d1d2e6dd5a8c",
+    hash: "0282a862d766c596d5b804a2d23f6d46afaeaa2141368e5187742a2be881bbc2",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     name: "CollideSolids+BODIES",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 43364, bytes: 47580 },
+    spirv: Spirv::Packed { pack: PACK, first: 44224, bytes: 48440 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "453241e7ffe0a89ecccdf75942d47c41d4e564b403ff7fa181efae3d35dfc14a",
+    hash: "8ac83cb30f7f375e9ac806d5e95351514c5f8cb978ec295aa8c88644dbf160e1",
 };

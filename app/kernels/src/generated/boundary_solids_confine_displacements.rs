@@ -156,50 +156,50 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     name: "ConfineDisplacements",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 45444 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 46304 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "1d210e86a2f5fe45e1245f91390958171ed1533a3e19805bcb30790afe39354a",
+    hash: "bcaffe384fde38720f4f35f92fba797e585c1a72bdc5c418916f510b6eb65ac5",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 45444, bytes: 46164 },
+    spirv: Spirv::Packed { pack: PACK, first: 46304, bytes: 47024 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "d0f97c918f51402305541900c25fa9d5fa2f4146637aec201e34430e06d85c43",
+    hash: "4031fdf3a4db43b2315861b7abf647144172c51faabc02fa644595653cdf51c7",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     name: "ConfineDisplacements+BODIES",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 91608, bytes: 49664 },
+    spirv: Spirv::Packed { pack: PACK, first: 93328, bytes: 50524 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "f42027ac7f6bbdd582373fd0364c7e22a8c0d19ba01eed44141e3faff5b4da67",
+    hash: "97acbc4a6ceb72918f2c5fc4e0cb2458b08b2e6caf73b1840952a2f4b5e9f078",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+BODIES+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 141272, bytes: 50384 },
+    spirv: Spirv::Packed { pack: PACK, first: 143852, bytes: 51244 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "a69a7abd96057cbf5cc513f1da8e7ef0be3801402d2a35c913ac548151a9953b",
+    hash: "2761cfbc6cc9b5ddd939023ed2ea2d138e537d6c03e26a53f13dbb399cdf212e",
 };

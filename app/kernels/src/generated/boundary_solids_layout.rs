@@ -50,7 +50,7 @@ pub struct Solid {
     pub keyframe_count: u32,
     /// after which keyframes begin again; 0: they end
     pub period_s: f32,
-    /// which body it is; NO\_BODY (boundary/bodies): it moves by its keyframes
+    /// whose reaction it gives: below body\_count it is that body, else it moves by its keyframes, and
     pub body: u32,
     /// lowest node of a field
     pub field_min_m: [f32; 3],
@@ -155,7 +155,7 @@ pub struct SolidContact {
     pub solid: u32,
     /// of the nearest solid there, along `normal`
     pub speed_m_s: f32,
-    /// which the nearest is, or NO\_BODY
+    /// of the nearest, or NO\_BODY
     pub body: u32,
     /// `uint`.
     pub reserved1: u32,
@@ -198,7 +198,7 @@ pub struct SolidsParams {
     pub body_count: u32,
     /// of all bodies' surfaces
     pub point_count: u32,
-    /// of a reaction's sum, a particle's change of velocity
+    /// of a reaction's sum, a particle's change of velocity; 0 where nothing has a reaction
     pub units_per_m_s: f32,
     /// the impulse that is one of those
     pub unit_kg_m_s: f32,

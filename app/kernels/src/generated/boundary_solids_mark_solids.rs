@@ -64,5 +64,5 @@ static MARK_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/mark_solids.compute",
-    hash: "d4f8500e9bf4f7bea50b4884378286b1ef48e694a319bfc7555f1dd9dff25735",
+    hash: "a9e9de0c3aaa252d69f7aaadf9732294c2f6dbd6a0c1b328b049be237bdf485a",
 };

@@ -65,11 +65,11 @@ static MOVE_SOLIDS: Module = Module {
     name: "MoveSolids",
     entry: "MoveSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 11932 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 11968 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "c55de515d1e06eec1cd4b871b18fbb9bc7ac94db46963aca4b16f12fc3e35e8d",
+    hash: "081dc3048270f3e69965388bf7545e6896d2e153f2c8f11c039287903d03b2fa",
 };

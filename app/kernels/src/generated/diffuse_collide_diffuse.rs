@@ -101,11 +101,11 @@ static COLLIDE_DIFFUSE: Module = Module {
     name: "CollideDiffuse",
     entry: "CollideDiffuse",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 46068 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 47128 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/collide_diffuse.compute",
-    hash: "f613fac025fe781ac431e1ef55520e3e6e602e202c120139672834638b87d0fa",
+    hash: "312bfe7f1871682ec7888982d8773b915eac9e3d53dbb6632fa4a0a7ab0e185f",
 };

@@ -100,5 +100,5 @@ static OPEN_EMITTERS: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "emitters/open_emitters.compute",
-    hash: "91ef5172cd16f3dd2b53fa6bafb67e9bd3aa8dbb4e7f591cde29cd287ec2d23b",
+    hash: "708f555a81c91a4c26e20cb18907fbc1c0b3efbcd30a8494f27c3c846d69c777",
 };

@@ -149,7 +149,7 @@ static DRAW_GLASS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "fa4ff92af598ade6699d69c2ddefa12b2bc1770448c9bd84fe93ef41749efdc8",
+    hash: "991641cf80fec4883449ddf28c6c447f554bc098ae9627cf9cb7fbbd1f8d39f9",
 };
 
 static DRAW_GLASS_FRAGMENT: Module = Module {
@@ -162,7 +162,7 @@ static DRAW_GLASS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "3ceac8eca12b66170ee3d68aa1cd8adf557830e40f3b2496682bc48f6ec56aa2",
+    hash: "a726a3610ea10bc89dd7ddc2914674788906e197ff406c2750dee7ab641473f3",
 };
 
 static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -175,7 +175,7 @@ static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "0d40bb7d0a85ebd7025b99e3861232fefedc790de9634584805069d3d09219d4",
+    hash: "df391b318af2369738b76fbd0274c6ad76ffb8a57f1a51d00dbd05a2b1b81c24",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -188,7 +188,7 @@ static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "f8b5dba25f3da82b92fd97584adefd95d82f1b4eaeda1fb74c27c4c477a1cf27",
+    hash: "f3b31fb13721d30f43d0d002477f250c68cc7ccec1d47e164c5d1c1b58cb3a7e",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -201,5 +201,5 @@ static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "5595586b5fcef9fe07e235aa7b3eb71186c3f20e6eea2fc66ab8b67477db1579",
+    hash: "6b3f91763fd1eca0fb5a951e599e1e0ad999193abb5bb7697d0b617bb67db861",
 };

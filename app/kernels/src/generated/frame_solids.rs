@@ -194,7 +194,7 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "dd969ba262bf27a30951e5503e108cc65abe90b0e64a28025ef51d6d05395884",
+    hash: "fd10aef49e9ba2dd688ca3139924612a3008f88b77aabd9e3e49533a16685e0d",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
@@ -207,7 +207,7 @@ static DRAW_SOLIDS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "2074d8baa36ac5967d14df64bf9a152335d36b59339306bd85b8d4723ad91f2c",
+    hash: "dc1caddd3d79485b36caa80dfa5400e9e4288493db64d6d27b69e391b5e90c2f",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
@@ -220,7 +220,7 @@ static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "2246fe17eb51777c4a48ac6940caeeda9493e4df6958560915e45d9fbf9657f5",
+    hash: "b2f3852c68189c9e0ff1abf66d0195d6db18a0f9838cc08d6d9eabf661719f42",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
@@ -233,7 +233,7 @@ static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "253dacde88bd407f7a5bdc31ee5e3c91031a7e89eabbe929a67cb16c93756fa1",
+    hash: "e79e21a1ff3ffa19ebef988c44d1ebfc8cf154339b5c83b52c03c4f62ed732e9",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
@@ -246,7 +246,7 @@ static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "7c6112a7ea30e12ddbb7d36b5ed4f206f2398e08162a7eed96319928e172b4b6",
+    hash: "688dd287331bdc3a345dc512d3fa18ce1e7898ac613f57657845361f49c279d6",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
@@ -259,5 +259,5 @@ static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "0f31e891ac871ff12bd99484fbcbc9dd94996eda746a3c667177946884b76f37",
+    hash: "7d8a2950197ad7a4c67b3774c164844865767beff275fa8c17f266d827d5bdc6",
 };

@@ -74,7 +74,7 @@ static DRAW_SOLIDS_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "06b9bed7a7477841eaa65fd041e0bf0941d7588116934a443f0f38e73bd12c14",
+    hash: "63c03cff5c7e7fd643cf7f4bc9f3e5dc98a94f4e7f305c52349ff4fb0de06579",
 };
 
 static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
@@ -87,5 +87,5 @@ static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "8b4e5798e7761f7832d867238f90c795822e8d1b8118dafa546c09a368cba87f",
+    hash: "5b2f7af1d784f03fa7035d55fa29151eb5293563a4755b0c8e7c4d2b8e103ec0",
 };

@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "cc24fcac0736c0506e78f59b40ed42dcc1881042390c0c3c70831c0fd16b4777",
+    hash: "80d074b0a68e03844cd8e5d59d5a21218886fe64aa0dc9712af4898ba37ba023",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "965474ff8e177a04578880ee42ed50e3c60c31598797fe4c1028ba330de4c940",
+    hash: "f8b005b08389e388ed2e89a1c43db89f95bffdf550abdad05bba598ed02f730f",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "b266077d93f7038780ac4c4da37e7773825fd066dbbf35ffbb01dbf0d3afc883",
+    hash: "bd488ece3d101a21a54313f51c17b46bda272a1df88390c0a8dec6afb0bc06ed",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "d5d79325186e41caaa307b2708bd97d162dddeb3ff4a1492558322af24574af9",
+    hash: "36750b3300ab2af04153e302e4a3e0fdca68c94ce8c5b7e12359e2c31716d806",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "a4eaa1fecbde1c190fc36aa18f0d4feb8e9c4e646e02cbd943f32802ce7bde18",
+    hash: "0d6a855ae3107d8b87ce4d24eca15ab879427759fbcedaeb5dda1c8cc545b972",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "17d62eca69fc00cb117a4fbf2e536854413c8a49e1a6d0ebd5d65eebd433e1c3",
+    hash: "17fafcb4cf090486a51bc8439f833788527ecdda4c5ca31c26b6f41ef8720738",
 };

@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0acdc5f4aa1ff672c17521d272f19e91b0e8fd0466df2f8bd11d8cda9c965fa0",
+    hash: "c3c0c0d2de62cbc4f10089a3f6ed91de65b3db5c3d55ca345259b10177ff44a0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "a5400dd847b924e24194c5ebd32824c36c45be41d54256484e80a0733be60158",
+    hash: "091540b5f4b4851419e69e5e5e0bc32d0a3d94e06eb190c6056fd08ac9842e79",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "a5533e8ebc58f994f483f8ef5134876dfdf787a3f7fd0ea49bc8e96c4e6340cc",
+    hash: "39b90749f3dfe91808816ee0af42b333b6496c7dbe61c99f68e687d72aede8e7",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "d8218991ecaf56e519eae6371b928ad7fd52023bb18cad3334e74cf8238d9997",
+    hash: "c4659aa6b012a08ac6733c0982b04038a14047a9d2fe85189233fa1b78c7275e",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "17acb68fa475f74234918795475e14b81015c76a4b877886d6952e09d263d552",
+    hash: "6a4be704335d953c5a030d0da9cbe49773c1f40d51b741ca29bdfdbeb65db72d",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "949e32075964532f3f988ec6c429b136b8eb8f9b2c225a703a980902a5cafed0",
+    hash: "32f45f85d8599cebbc53cdbb2db9d440b69b2b417eb3ee3ae3457c1c9997f415",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "3373fc3fe54f6a7bb5bf23dad1f5d1ffe9e5e9de4b145f628bbe35424b8af967",
+    hash: "db9151185bc309b90d5dd502db63c89903164113c1c3cc55ef995b5e7044a249",
 };

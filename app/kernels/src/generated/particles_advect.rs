@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "f9c1f4e20e67b3a8495783fe7accd00c39ed7434ff67a5def6158eab368b14f7",
+    hash: "5a501b1722c40001453abbf7720ed9715a3a9165635c8f52df230905e20e81f0",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "6eaa1279e7949a6d860278d5c141ecafeaac4101ceda5f9377f3a318846e734a",
+    hash: "0a2884e487fda44f15ce4d10fdcb6199497094e7d8cae2d12c21a92b9af34d53",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "a3059794e38b2dccfaa1e5c52baf9f743fd85d4526fb46240f71a91ac1b74a50",
+    hash: "fe31ee24db064cbd4c6a1f3fc4013430dcabe7051278e2156e11057c77a7c96b",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "318ea79dda6a290f667e41fb849c5d2eff15df2390e634c9dbe4d6e5c6c2148e",
+    hash: "3e8e94422a7aae9745912639ac9e206a9087e5eb2aa994c75fef26db1031f72d",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "96d02ac1ed643185c05091f903a938e629bbe1a611a4e6091055ab41eea9a8fd",
+    hash: "2674ab45fa65ba37d13dcfde660f7aae6ab2a4b0a8f5eec99e596339450ee1c9",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "4e25f785fafb7ba9c3ffd2026530e8557e1c98f60c947784d6174fbe8311ff82",
+    hash: "4af11f6eb540cc25bdc5fc9ecdb709f6fbdba1cf7c7c166173d1e26cb37f1a6a",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "a14365d67f087c98a970b9058c66e727bbaa83be5ac2ca9e469f2844e53990be",
+    hash: "21e87e30bb0df80bae9db2565acaa7cc4360f194ce3e58f3f7ce690f27a6911a",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "049cb3c6ab9b8be9db6795fc53811a7a18e72a829932c6d6cb907178d28825d9",
+    hash: "6b7944f8800814e43c7a72f2915da6797457bdc5f16043859b00d96aa19b757a",
 };

@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "e58e02b48bf50cb306ec5c64805266509f6d5fcad8a893a6e96773fe24177979",
+    hash: "6b67a280ea4262808c01ebf28cb2b347e1c7c07051ae51acebfcc8292bff1a16",
 };

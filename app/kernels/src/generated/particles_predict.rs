@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "2c2baafd4e0e618b5039cdb8accd5aac35b06c55f6bc512372e32baf2fa75017",
+    hash: "39257624a91cb7260881f83f6d36ac8b5e9901769c49bb81f3c94494d1e6bc80",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "47c6a5baa59452ed06caa667cf845bcaf17787354849e66126accfa135269f51",
+    hash: "cfc3f8aa9bc817390f3f917aff0133d40fb9102780a44162a6bb01a07a65ea85",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "ebf620df4be7ce12f8c604d1942e327de6a40ee3bff236b2f01b4c5c76a35324",
+    hash: "ec6134aa8546affc35d07dfd0350a8616b48ffed1ca7ffeb0e641d3fdbfac118",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "58b27281ff4dec67b81b14efae1a78b5d1b6f3890846f63bf22ec0a15b64c55f",
+    hash: "6b1a880bbd6a8a7b20e4c39219d010c8fd7d47fb53a5cc97496dccab4e2559ff",
 };

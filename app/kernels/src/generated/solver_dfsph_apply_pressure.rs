@@ -221,7 +221,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "2c07c204c3df87655326d213d0d6fdf161778e58b57e621e72548b260183c05e",
+    hash: "0615beb986ff4603bdab1dec6232c955da46e0e1bf4ce0f2539985f0c79013e4",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -234,7 +234,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "316d3ed025764f037322ff9e387b245162dd7626ba73b6dec1cff173f21432e4",
+    hash: "ae4ab6c793fc724950d098ba9123fc87353479e5d57ebd95619f121828a74749",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -247,7 +247,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "843348c0dd89d9d182367170799fb7a3fcb6527bccd74e890817420ffd7ced68",
+    hash: "146ec59104d1fb9bda1fa6389e54fc674dd7d619b8d7daef9bdfff1e1bb5bbe4",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -260,7 +260,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "b0a83d2951e05577704eb8bc82f1b546e8bb6c89b0ea7939dd8ce1e0e4d208d5",
+    hash: "b4d1a5454e0743e3574054b1e7e1c7303c392711b68ec7fad75e131ba562fac3",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -273,7 +273,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "7268e45c2943e067cb757136c0940996a96ddce0f8230a5d78d98c5366cd09ed",
+    hash: "77486c2989982d6ec74219930e0c22770b6c67cd43787a4417b29c1d64c4d5d4",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -286,7 +286,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "4375a68df77db8e9957b6822bef9c70fc6ff7ddb21a041239036f0c56e53af1c",
+    hash: "c28d42d84bc226917deb73590a84fd16eeb17ed2d51480112248a5140bec7a4e",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -299,7 +299,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "9a78c103549ac04ce53910a16b9d7a4bc6ef4fe11a9c89613654c2b0c1afb44a",
+    hash: "fd2f9c9322ad6b71be60b4d6e64f4caab332b5a40e0eb34933659e27ec546d3c",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -312,7 +312,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "a0146bb34a40e057b841d08f6285d2ae12334b01faa21718ad22be2de18b65ee",
+    hash: "3bd357607d2fa3e426a476ec21d72c0af1c34b2232743aec0167f9e584403a95",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -325,5 +325,5 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "a2ad69ad66f10ad92cebf5cc03978f34f137d29678a4d2a58714a2bcde49b03b",
+    hash: "cc8751cca4a65c6b7651f2834434e5fcee821ee0a66be23b3a2350922abc9eec",
 };

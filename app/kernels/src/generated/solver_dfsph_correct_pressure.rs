@@ -214,7 +214,7 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "da5214ab50b99f33c06641535d770e8c4e75efe811c4dc9abaf5a2565d9b84ba",
+    hash: "2490ffcf14ea4dcdb3c9deda4ee225f408fd059b9f9de8935ad5db42ad74d045",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d068a42f66131bf07caec8cfbb8bd660f8af4460479b68907044b90c80cd4c0d",
+    hash: "3afa300b8f6d415bbc0a22f3fe2f07a5f4a50265af1accf5d59c3e9fadaf8b40",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b3593c71fafd771e1d2d56cea3a9d1739c30d4053be3c1851fcd45ff3a1b30dc",
+    hash: "913d4956d5d9257e416f51d1c9bcfab1531f230e4e1e7b531c4e70bcafd26f1d",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
@@ -253,7 +253,7 @@ static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "11ca2b687a9b62e36cf7a3e58dfeeab154ae10a8edb1e42293f015777a4bc422",
+    hash: "2b3ff156ffb73d4a8755a6d9d85725ba8af3e36fcd0a60ab0dcb23e1e26dc424",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "19e597a6de0c65c529d7e06a74f3535b2362888ac23a19bd700a9faea5ca8a59",
+    hash: "f56d9af7e2489aaa4026a084fef6d3e11cd5aa08144e366938d578ebc64e489b",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -279,7 +279,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "abf7c675cbef0ce02b2e721dda686c35067b7a623649f61dab70af05eefe4fd0",
+    hash: "fd3cedb1bca54324b201fb9dcadfdd14dbf1fd4c36326324704d6f44b200e875",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
@@ -292,7 +292,7 @@ static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "841abfb027881d28cc02d1f3c5305c947c7dad8424ff8e30bd9c00a5da9c293a",
+    hash: "d3ccd5a7bab0f75231a120f5446f543d3f77e23b5a2306e4b16b038785aef692",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -305,7 +305,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "4684060bd1f36e6742a650fc7672964189b30c5657c9700977b3a593277816b9",
+    hash: "9e41eb98a7042be9e00f03490383c1cd9ebe94335bf26c65e000d8685cae8541",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -318,7 +318,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "797a79d95d4ce3e85332d8573fde06a0253bed9aaa01585a0c7451e8983e7f06",
+    hash: "c469c1093817fcc65dfb6132af2ffba09ad7e7b33703ac7f4ca950218709e0b8",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
@@ -331,7 +331,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "29858c6c0cd7b7f6eab5f136ef415ef060aada4d00547b495340cbc9ee1ae28d",
+    hash: "d621a1926f2d57fbe4f7c49ae7e84b08bb587c659e26e97c3624d815fb736571",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "733cba6b1e6d9977e05c1350328c67740cc67e260f9a31862be038b798a63500",
+    hash: "f1aa87f6cb1a98e4b8c0afc80f4246e468d080ca7d56a32e0ddbc63d90ea471a",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -357,7 +357,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = M
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "bb2c15b69c958e2e96c1d788d6bb981ea39c788c7cd47c8b72252d3b7ab9d757",
+    hash: "5cf352551ecf3fc73b3738b5537c5d144ff77dde0e901565d070b8bb8b31f0db",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -370,7 +370,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "eca90d1178692d78e4774d7d392a42698d59f0e4e78afd9b9e571b4cf0a1dc89",
+    hash: "56ef01408293547ac89b03b805b49033d3cb8870e003118b845fd52f9452a073",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -383,7 +383,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "e060909256d81c34baa5aeabb5624c0ad19099150e3c4943199d93216c60f106",
+    hash: "f404ba8d754fee79e7d3078af871265ea20af33b50463586e5867f433844f7b6",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -396,7 +396,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d980c7e1cc5c63fedbadb8cfbc6583bdfe24875981c885eee6ad75b82a957c7e",
+    hash: "ac9dd628f5c7e6a478c3af5bf9e6ce16e5047f0876282ead3d950ecdf3f03a98",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
@@ -409,7 +409,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "2b08801ee5b3af09729c7c46aaa20e85766618ad4eaa26a1355abf635a1e97b3",
+    hash: "079d6d0c4c96309f633b63cbcfb04627b9c1722f3c2b20015acbd6af4f274be0",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: M
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "282aa4b04e421f3a1803f5937402682b3439647762bc9238c23c8da61351a93e",
+    hash: "ed544672797582367aaaaee89affde90b6a40dde3d60b7ff8f574deff6bb6af8",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -435,5 +435,5 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Modu
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "8b285a71992cfa5e752f72e8e97de90d0492b9dcb802d0d83d645b15e4580154",
+    hash: "4e6c43642c608f424c0a1388f6beeabd6a18db1781914018279f5e35ff2307e7",
 };

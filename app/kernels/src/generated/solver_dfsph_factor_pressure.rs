@@ -184,7 +184,7 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "faff000d15ea36609051bb7c3619dfc9fc2230656ce0ba39028f257cfe22013c",
+    hash: "c9d783ce89d5fec16ee63d2ca49392d5d7019c1f5fdfb5ab0eea3bee070259e8",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "1f0bb4f48d5a4b1a01eada2c475e849ddb04cb3a386d9d703a1f52bc3406674d",
+    hash: "a8be5627c22462d07bd2775100b97ce033e95faddcd0682fa681f6ed1017371a",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "f97ef2cb08ed79dfdf3ac8eb2944b9fb29f6d7aa01930d4c0e22a311075c73b9",
+    hash: "e2e4caa8f0d9c6a579ba090f8141961638ee6d0f2f1f45ade57402ead0afd556",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "577543d77c524390930843cdfc8e86cbf85e1be788875a01c88789454c2513a7",
+    hash: "50f90b347544e18cf4ae80634a30168ea7fb2ffd1e12fd495105b88607a01ad5",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "a4a819be136a8510369aa9f920a292ec6e44fea3807cd8f28793bb3d264d0c8b",
+    hash: "94aeaecd89eb99dbccda85b594e7d98df88bf5db183d353cfdcc930b2c054bba",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,7 +249,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "c1ab1f99c345739c6363b1baf8d846f2c637721aa1d8d8041fb44544b99b068e",
+    hash: "21d29d63bb247cfd5bc35caa36578aebecbd118eda57609d4e81d4984f1ee9c5",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -262,7 +262,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "09dc69966aa1550b8502a97b4b437494360a76dcb1f70e2513100020a2195077",
+    hash: "ff4b279aeac7c3e651edf7a4cd899f5975506afbfce86a631ef759e0a70e8de6",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -275,7 +275,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "cb76ecc314fda8db4739ffef66ad9efc9167af9dd2252d1640b7e7af26be7d71",
+    hash: "944d3650129f4f6c11f00688839b463d63426cd0d01f40f1a8837dc727894279",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -288,5 +288,5 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "c6cf3296f9e1ad4f50297b9c986c643e85198a02dfb9c5d1864b284dc32a892d",
+    hash: "e70f70b07f85f7a9bd960c2a6840c5073d792770247f38007d56dd5e0c80fbad",
 };

@@ -143,7 +143,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "7f89845b880179f06a9f6257e18444a28058147344ab4878afddf3584da4857b",
+    hash: "12a3c0b92e207b6b36480f6278b978faa06490ed312e98fc5ba024f7a0a71a9a",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "7e82b4ea26642d0853d5b4aa2a8dfb3014ad51f399ed6bb1e248ff75f4df3846",
+    hash: "3ce2bb9ffb3d56a858e0087379397e219653be1a40d3a5340144f5f19f1470ec",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "10f63d6a494ac5679edad7573e58ab81e47dca5321f3451cb63450158a32187e",
+    hash: "93b85f9c5414af6139e4cdec445277ab35603127864013401fff7b4351629171",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,31 +182,31 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "c619bcbf74dfc151d2d71f871ae3b1ae583d1875eeacec8308af440fad6d48cd",
+    hash: "d0fa35482fc4faf6fa6f1b862ade68b38addd21c107ae47c8a111cbeb99a359a",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "ShiftPositions+SOLID_WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 21624, bytes: 44100 },
+    spirv: Spirv::Packed { pack: PACK, first: 21624, bytes: 44960 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "8a15f870435f39be00d51d6862bb1212b9eda6a2aa5b64d9671748960eb32010",
+    hash: "0707378903b255aa1ab869340e7e6b09d7a2a058d2d1fb70dba30283b6b14dbd",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+SOLID_WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 65724, bytes: 45068 },
+    spirv: Spirv::Packed { pack: PACK, first: 66584, bytes: 45928 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "262a643148ca6df85709f08370a2c563c5e0f0d2c8acaec7eda2a610a6e57399",
+    hash: "c4d1c9bf64a854568ed2f7cca5824bc93e6ef5fdb2d0c53dd74cb4c76a382f37",
 };

@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "cdf21331d42e2eab00c7e9a406ae8a6095d4245b34f1c97ea13278abaa054eeb",
+    hash: "19b6e059e914195ba74c07695978426e76ecbe4f3cee6d34574c7156d8e0074b",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "8bb4b40c614a71da9b9eb4415f34f41712dee9e80ff78a83028ee0bd3193aa3b",
+    hash: "4fe0f2081d3dcafc16d9e865ab2a89b19830e92116bbe03afb185f07930cd708",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "319e3537971accded710d2446b7ba588f206f223c3f65f772ca0e1b1773c5f28",
+    hash: "e9034805d4989a12dbc248fe769fee974e4ba44bad6059d8593b7b1a024b29f3",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "45935c54a5eb2ba57494791a4d52cfa26b752d71435a502f02c12d5e729a7f52",
+    hash: "e42595a967de36bc65aec59c2a135de512129328d3a9ff2a586bb3e87bc2d142",
 };

@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3906823bd36cd7bf1813d3f985c0d4b4740a4316eaef17ad8b7802b1d736ddb1",
+    hash: "79b924c11bb92c2dca9abe17580c01367440e08006f0d152cee1f53c2167286d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "611807e704d92e887424161a695b649a92d9166a08540565f081db886f849beb",
+    hash: "3b8d619950da5d0eac38b6571276099d7e5fd53d9aa2850b2a3d9244a16de383",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a427d2b653b6b9a04835b57de8ef205883c97265268159fa86166d630224443b",
+    hash: "408a57c43c160a9791b938aaadb8aefd1c2529a192e84562ce1d374efe967922",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f5b76b3e7a559246739aefce6a9abb8bbb0861b2812b800948159ae1c4ba077f",
+    hash: "5031bdc53a6d23704f4a1b98a9f5a8f67afed641d3adec133dacf556ba9db07d",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "131060ec1f1aafc5f3a9973a5313f8e1870c5470a5adff6aa4d67b562de0fe6f",
+    hash: "fc0bc68a48081048ed1f9456e1b0b7d262e0221f32ddab48ea384a6e5b196a3b",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bb70b0ef4476f1b6a63d7d8c65f5e2eb22b9547fe8629923b35e228f5023d41c",
+    hash: "fd3dc05461d4afb25fef2b545cd55e92e50edf122dffebde11d574d2e08189dc",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2ff4275e8e717e95cb86f2191b7c3655521ae608fad7628159e20351fd115628",
+    hash: "72cded67bda16756413b0ebd19ce279917373c03b13f900bb6f1f107c6736357",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "43581ba79ea2e7c64835a0e3bbdd377d1c81024c517f61c6f4d39b39176f76d2",
+    hash: "d945446048248955806ec96e8277bffdeae35a174d7046af155e804546bc3238",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3d3b51452d83d50ec7280d75d6068c7a94db3af6f2dd6d49aa3dcde4d82803fa",
+    hash: "047a544003b4a2aebe6fcc4d7e8138891c878a2f2b3c1ce0c32af8949d0b2d60",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5f12bdecca4a893c15075a8bd2ebaaff516d0fd70f96da48333bde9e0387d3f6",
+    hash: "c69a0c15a220296c7abfe5047373f11e83c71351a1dd124d37aa85b122f2e073",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "899567442a6357856f12e0744d7250d4d14bc838b92dcd80f222718a3d78325d",
+    hash: "7f9eb75565e44ba31e0c9cab07aa3de8cd55240066f575116243c06f47ba615b",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "48bf27ea31f5a7028b4e7135dd944592d9371e629046d0b6d14aa5e2690652e6",
+    hash: "cc7aea870e1f0e3b84f5c2ef98335f28f71170a40751c9cdf850445026aae682",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6d1b0b546c5be7bc452db73bedeb47edfe518104b9dede900ea1f4b12ffedaee",
+    hash: "3a3ec7d65ac5a5c2431805552b4798391a674ff9fe5f7960fdd3f9871e1f7e0d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a08dd78a5223cdfc21aaaf196e2e82d12bf93664947d77bb2cb763b2fb01b080",
+    hash: "a94bc80d8e5e05cc8fc037a2741bb01de2da09caa274b31e667c1df782f1f7af",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fe9f9efaaedfa24184e802c4704aee6ba18e211bb9e726b0ee71e3bfed48af6b",
+    hash: "c3291471f380cc71b79bb3d81809ab9648c2bc24dbc36d0fa1f698b30ed701ec",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b334dfe4c6cf2701381213f3a12c2d152169cb5bcfe1c5391045564830c3ca9a",
+    hash: "3b04ac07107bfda38edf9cd9e28b0bf842a9859df8c845d0c7004ca48ad8001f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3cf7fa4e2fb26b48c77dd0a4875dd5bef42f65d85046bf163fb4ecb0204026c1",
+    hash: "36ba59e49eae3790da08fa50c262a99f43329c419f8ead49b4d7b86c4e6204d3",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "97fca44818140011bbb4ec06ace48f816b3ef61c7a43adcc5e727904739f6ed6",
+    hash: "2f4d0cf84e172d36b5b0d9f9420c6c41626a29275391bfabdd794c57e995cdcb",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fca1ba375500836cccbff6fd3f582b8af0c7cfb6c9ce54f0d3ca72ae61fd3a14",
+    hash: "f3d429067d8aa45d52179e000ee59d9ca973b601918e81d5c247aad6845999c5",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "73e133257e0073065ec9f1f7962c552f510ddbe1e77f305a4ae1b1c8f9de9b1f",
+    hash: "b9d28c20be028100d8df4ef0da5ef87301eaf46fa2a4615343c1b399db73a3ac",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "aa4167b8da376eae9d6ebf24a0f6033b8a5616229f887c2d9df25eb2d9447947",
+    hash: "5ed885bab46246bf1938d253b0b97c919b907117210116ed2d751a6b4dc4f201",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "77b070b43be020aec71e83ac4831d64eba5f0216cff6d818949178399eb27359",
+    hash: "d0a6ed295c066df3a30c6545b252aa4b05048dfa6c6d16a7af5b7613a19934c7",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "db75c696eb6669904c6b5b7122a9711acf4b0f5c51276b91b334af83ba87a218",
+    hash: "e496d74d44b9afc8943c8f9edf8789b60962efa9c814598a479c9afce25d9d49",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "24519c044a3c86fb19e9c4682ef2d19b54f72c0a2dd7b6a2f691df274965c437",
+    hash: "720f94490a49960caa459d4c93767f97ab640c8faa2096e3700f1d6e2b4ab713",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4b6c0077181f8c9672171ab31ea40c3f0706d1c7e95b17fcf8f9af5d9712e638",
+    hash: "eadefc8895abe4f5483871d5a33b62b3ec765798840eaae1681b5016c0c99fb7",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "40dad7d4b6b0db7d63085b84c9591ccd369c162b7b27791720062bfe5963ebf3",
+    hash: "eca238b313c86d64d2d6e350e7906ce75b86d1f039a8a580b162b9a3d97fa650",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "07e7837f914a94b2a77b00520861fc29ead7bba78df74b1516af02685bdb4671",
+    hash: "c30027089c495f53a3226d5c2e1da394fcfb5a067b6230a61bb8597a5ed8a05a",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "81b93aa3d1ff0db3ea681dd4af3fe0f05e8539d3851e01107386ccc795334b23",
+    hash: "fa28b335ae8b9310405bf51aef2f826797471b498c55e26ab0d16f250cdf104f",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "01d7a381dbb278567a4dd20588705061b0401932ee512c4a63a9b89b80f96bf2",
+    hash: "7ba1ba7665f8a72fb63430279a10ce23a6572feaafe0a32f6d3a1f1a6a118f39",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ec219ff40b9b9503b2bc996ae0fb05e9e05a1d6245bccba46c50f819ac209d3b",
+    hash: "c9ec33e6f46a33c5acb003ccbb84e1ff0fdde715259803c777a63b461a0f5872",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "acd527e74bcad710b82bb89e1834e382027f74b5ee1c361eff9a7b154b41a99f",
+    hash: "cd088cc56d72becf71a8066e7bc8ea84c2df5d4ebdc2023bf163fd489b702322",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "120558168cf4b8f1a71e315171c484df8046fcd1206208accb79300dbc0225b8",
+    hash: "ab119a974236470fb76d7316b13b4c2bbd88ee29c158cd333fea8691192d0818",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "af68a19c831704c17009c7c06605ea0d6d1d00b104be81dc2425b97d4e4c4603",
+    hash: "a73e6ed47885a1f735356f9f0c8263edb3144157b137113af7392a84d0920e0b",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e379d3c8a14871a8d677ef43931c870d40b768a4db35ede371331250a315eba2",
+    hash: "961791fbb9f35018caea57c50d824e05adb0990fe47acdd9e2c66c3fe8a43716",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "864f9e392d633d1b3e1a411356dffc29d6a58b903c5242e41bca6359a0c21387",
+    hash: "f5b1a42a0233dd19a0a73d8f715eb28ab281e6ddd120e9d38e29adea7ac88248",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e20ecdea11951cdfd02ebbb8a4cba50e03daeb98424aac86c75f5d48ee3179a2",
+    hash: "eab168b2f2ed4c3f1c8c255d58f1ec8c17bfa9b9145572e9bbf9f67d46fe12db",
 };

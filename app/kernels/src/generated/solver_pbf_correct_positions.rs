@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9cffb9237c6dbf61817c29fa0addb970eda5600690632e5325de061aeac4b343",
+    hash: "6e51649dda3839888837292029c9b1b94afa42d9eab9eb3254345f76b4f665fe",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4c83dc97fa35dea845ca36dc829d644ee0e8c002457dbb4d897ec8ca70de3ba5",
+    hash: "35e1eafc2308ccf189da302094028d9e37e6955c3dc78104841b829d2e44db42",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6bd8a6bdd7a66d6c4785e6650dff9e91ca6d71dbfdaaf937a4efd39db95ca222",
+    hash: "4d7d799105238ed7de2dde12c23b2ac1991d4fc3824dd6b50de4710c6c0c3f66",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "097421a235c2e1437fb5232007db485c5f29343b80145813dc8fd7dbeebef0b1",
+    hash: "904dffcc8000e95c4e5bdb28a7868bb2d04aec3e8fee5faeb7547eb0168ac636",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5b5df5b63fcdcb9a554e07b4902105e11ff5b1a8617fb1493ff597dfb312aa94",
+    hash: "dd4a1683d6914b94010bd1406099729d316246cbffbd806f15809983e4a769d3",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "00a4ffc652970521fd999630e5bf6dc827ad48bb0d53fe06e0a6e0eec03d79c7",
+    hash: "240f77d6801611713bdf1b1baebe2fd5d0dd681e2fb64dbe1fcb522591800025",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "976c779a8b76a4d06bc7d39d8800913fef3e96ed7d3d31fc996ad4a186d40922",
+    hash: "79e2f4eb97a0d17cbaa49e9b313a71f89f118dfea522d591b1875ad271e025e4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "19d18562bd963243abee0efcd40f51b2389ea2d927e58b3ebe03c0a605fdf8b9",
+    hash: "5674fbaef1af2b5d6078ebde271b09aad75cacb43c9189cb54b575f96de8a627",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e7b8f3cfa32be15ab1898bf71669075b41de03fe78a2a7a1222aa31d1e2cb822",
+    hash: "b18fda52d776fd1e13b57bfaadd7fe6af70ec8304244be1bcf278941e1e3071d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b0964fffc149ab9983962e30b6b1ed44a0dcda03d2911adaa09fd27987623fc7",
+    hash: "304777c1a0e539f0c62713ea51a0a914186d1d94f9d96cc870019d0552cd2bed",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2eadf45b18876472ba0c4ac7c010d2d36d30ae4a64668ff70643b09597edb1aa",
+    hash: "aac5832921f15f779b0301dc42123fe17fe594964c2531a5b6aed06097e74a18",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "aee6344bd5688b78d5a1c3a00e8d7724bb428255b38c9f8d16d54a0e976b2121",
+    hash: "3b84823498c258fe6de42c707c1ad3ce79cce5d5d54ab1cf42675f445c879b2a",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "69b5dcb942e2460d6cc5c53e0710bee0f14a6713115f773a20c9c5b4a369f5f4",
+    hash: "be52e61d91bb6e4f0f6a6cc2bf6b9c2a7e3b283649d7df9602160230631fb991",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "7ade3e6afe41d57207ea8df264f079d112ee23e29d01d4517ccabdd05f1f263c",
+    hash: "5f051951e4e62367a95653fbe6ed559049f3bb739e7823c4f839f4e08f75389a",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4cb8540e4b650f4128708cc4bf195026e70f139298b966da50c49d17e5b008d0",
+    hash: "c9349314d94d0f1ec278c41b41e0203624666f4ae3e34dbb645c8041683faffb",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "946ef6755a7c90b3cf586f77b1612d1c8a493a5fee93d666d52bb0f2b7e734da",
+    hash: "87db71ed5aff6c9ea630cf01c97886d6311dc2a525b3e2418f70a3d4cfc403f9",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e8de8412cba2726484eb03b28292cde3ce8a954febfd7e170ea4f3bcf2e7a33c",
+    hash: "bf9f315bd2a07af136e2c8094ae3383fb75c65a323f25835b04e7a82b5c210ce",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a0e43e678a9eef133218ddcef7d5472402291181388d387e3470f34c813c6708",
+    hash: "33c0dcafb7658b2731630c494c4f1df8f85c4dc3c338b8fe94d01969b3a8d651",
 };

@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "84c40c9e64c12f357e3d83d6f1d975c271b0417db60d7ac1a28aee64d7c0f4ba",
+    hash: "dfab38c2b06d903359530ed04f1c32a43533bbe6c811730260a71dcee7f38c36",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "8098f43b2829185155ad3dad91e5338a112027716f707fb9cadc03cab0935434",
+    hash: "943f56609f9dca46e1ea503e81c6ec171f317efc9b0e1807f9334e200de8c753",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "4b7c823f7435c267222319e409ac500b2298d8efb5b617e6182eb2c052b20719",
+    hash: "551422e45e67ca654f3037581141ad1cda7ad64f7b6358abccdfccf2c6dec53b",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "78aee13cc7045f3cace99213a1413640ad7940c00334518dad401ff069680def",
+    hash: "2b2006470acd47fcae02fecc061c67cc96108155820d2a0b7ab45d60f787d332",
 };

@@ -264,7 +264,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "48e6c9b84b6b0ecdc73a360cee5e9fb343105f222c2b860b79f91e61da0cdc19",
+    hash: "bb91a8fe3d169415eaf8d033782af3a44ca59b1fe23b46486df4e01fa1a74f90",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +277,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d518c14f35d47c8be59f19017ac29a2cea4601a43cb9eac88385168aafef445d",
+    hash: "fdc18ea19a1cfeafaf726666fe4abca2d29da322eca8d04f4d6aa0f04a326d0e",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "439689d825e03d4318e278d26da072818e632d5545ad6e1e658f73464a6d4bbe",
+    hash: "28a161e3273f294425136468e459767e3e579e742bec142d68ac277accce74c1",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +303,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5a006d2b242f05ca0af1a4111445fceacf73ac8277204f032a19199977333800",
+    hash: "788c06ad5e6b120143e95cf40abba11a6b26c257cbf6dbf7e53870e3bee60715",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +316,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "02f691c729121938d9ebdb1b7d654345b814e78a523a2c79bf6557693adf3c82",
+    hash: "c8037e11a0f731188501dd179ff1d6e4d33d099a9adfca7b1389b4bbcc8f2e64",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +329,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "80edf87a6f0d765ccb5a65e4f99f736e59f5c2217679dbebe3d1582fc0ec724e",
+    hash: "67276ae3b3875fb7275f4b963020eee2fccecde8a1299e103b9af4329ae2306a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +342,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "54c56114df3359d4a3e1e68195f4b2659ea379c9454edbeb1a09f69f2c48531a",
+    hash: "8b294f71a70c30378521ef243b92d7ddbf90243cb4600542295de8f87e7eb7a1",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +355,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "eb9e5fb3d59709f8246bf4fe12641848447edef17d979f21011780ba4dea9196",
+    hash: "db2d0e988449652963c45cb2238b8b4c4e82b8433a4e3dc044372f89682176cb",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "68a1927f5e7b8447df564998cffcebb9f3dd30dbfa6184b7d7388a4d98740411",
+    hash: "5bc80e0365768e37e6df3704c892634c6a99a1fbffaf7760ccb4723060ae7532",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +381,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7013204f7b4a16cd27bc2009230d8cfdcf6cecb95d5960cd318a86f0fe8e5612",
+    hash: "9a992a1fd3cfbc36c4996f058cf0e9f5e24ca2850e9d0461c9a94c24d6323661",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +394,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cbe91488874b005fe43e90cd714ee6eb3d84fe3fdbae1db916fed297c9f5efd1",
+    hash: "782390ea394455e57e9acf9309a36ad6656efab46cfa1dabe5253a3263ea0005",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,7 +407,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "67809d9a9e13d534d354befca87b8284a1efd374d7d5ba2448361b5dfa52e6d4",
+    hash: "025d2f2e611591dcdc3fe61c839d7cc25d9ef2f6acea23bc6b9c96642ab34d0d",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -420,7 +420,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "eba1d572d1cfe177cde26e08a3d97162a907f2e69dd81991395a6f4da3de0807",
+    hash: "653385929fa5e893bef7461dc256a0a0d4d60e05cfa49b6977a1950e8aa2a5fe",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -433,7 +433,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6d69aaeb06f35f2e96e38be79d0c15f5fa065c64616fefcc18b7eed426b3c97c",
+    hash: "e3f507c2591c3681821a446f0131e991339eee268220780dcee377aad8910b5c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "cf3f20084ddd9d3b73d67179ed8bacbd5c9aa855b459cd1f61b30562c6d319ee",
+    hash: "97be0c2c24efb1600654587098620092b8152a225b172eba2e64eb50ec920883",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -459,7 +459,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f95bf934ba2fe39d2c88443383e654f2ea70883e4e95b6b5563a99c3cf686d21",
+    hash: "35e2e8a94cfbeeca7f019c6fcee821d5f3f97812e7cbaa9917dd20302f87d2e9",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -472,7 +472,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "dc69f0fe739777b10cdca777762ebb5b8325649dd9c4deb75d632c714a471735",
+    hash: "c7019aebd8e47175e09fe54285da407b9e3a5a51826ed2df56abd400fa0a72b8",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -485,7 +485,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "960e6dc64336101914d77676e35659c27990df93a5078b047fb11055747ad2eb",
+    hash: "db53052b5e4eb7d70459568370b6d9954860be3972959f117449c8304a870693",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -498,7 +498,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f5f4060c056cf2e69e41329bcd35f9c406f889c0fa8c9d90db80d7396c37f271",
+    hash: "64578cfb33ab38231ff9f190b2d90c8e6bd971ed9723e7ceb8d5d986744aa130",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9dba9b927cc3e84de19619db11a7f52920d01270db07f69e6d64d0a590f1613d",
+    hash: "d8cb5d3730573265bb3e8928f53592e40a7a91430bbdbd25c89c14b1adc870d8",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "78ef441b2b43bade194839ca05b6af34a0b6c9c80f18e5a9eb2fc4e60d8f2f95",
+    hash: "9f158941f3239e6fb4db6e1d705dc4b215144c54702c1bf200d31eafdf816cb1",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -537,7 +537,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "26c0befc78b846340d8d78384184c931d4f5b4eba6b996579712b045da722441",
+    hash: "d975a58035bfc91f6cd18a25de63823ac7c2e89e757a32d10e1c298df5e893bb",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "29faa00372fc39326bcaa4851f2cd925e05299855e851cd81a125947da39496a",
+    hash: "03dc61033a12fc25469da87f1df5a4861400340d8b51646a041474fce517d68a",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -563,5 +563,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "510c08ba4a127ea213aea5e01adaba093e74cad4c1fed3b569a8d5660b6566d7",
+    hash: "d2e017154f450b44d9a1b391a81165f7213bb3c319835e4dd01a40882d3aaaf3",
 };

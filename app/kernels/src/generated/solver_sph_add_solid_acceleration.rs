@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "5feff24ab33128a729db866a7a5aa1fa8fcda8629a1f6e3eb0e119dce508c66e",
+    hash: "0fe5c67790c6c1e4d1f732fe35bba102b2711bf97e9e2a337cc11efc2868edda",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "ca977af28f3ba11601a1675d2b618c75058c4a39a252ee1046805accd3189019",
+    hash: "3a676d7204da16739397521e4bd03f5fb7b9c66feb52b3fb24ea9f89db44d866",
 };

@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "02828cafadcd116f174b6eee881e72fa10172892deb2a2a15abc8aba10cc2750",
+    hash: "a7557632df5f73ea83e3e269814bd40205995bd88db326a0615181293c4c405a",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "7bdfaf37b4f6f682a19aa5ef22faf79083fabf959e7e00224641c7293d72c41e",
+    hash: "75dc8b0959d205293ba51d15d0d11937f6aaf540f46e3fe251eceb8d4047bd43",
 };

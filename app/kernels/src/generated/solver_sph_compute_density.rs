@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b1e57a7181bcdb9cc5da65bce31580dd0ddf27d9281da55e007e761fc236ff4d",
+    hash: "d5ab37607406053caa8ac5c7128944bb1af9846c064247c50b8bef3d6f5a355c",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3f15c6ba9dad34f95c8cc1bbf283ace2b53ad198018ef5c85ad7085ae0834ae4",
+    hash: "9bcaa2ef6ca1a9e0de17479dffab60eb538dd7e01329d5abea389199166c4fd8",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "2a69cb40f90e5f74d19bf3509eb19c5ab063e86ee8e0e9cfd2d296659d7c5068",
+    hash: "600758e0516e524aa68ff092b67109f8ee41a3587bee4ea0d3af73492e7be4fc",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f4198b71c29cb196704078a67d5e0e5993dcd811a40a8882e61b6ec9f0a62092",
+    hash: "2461c7145c70c1be83738096ade4af008d7ff0bb7ea70be73b1d02c88e8cf258",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "8580831da23e605ad38b6504058d9cc018da362bdc76295ab03a5421b87e2db5",
+    hash: "0ee4e2b79ca416393ee567e0c12c8b2d15b7871bb9f3657d52f17898558b83ca",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "e1e9eaf0ec0d7ea73dfc26088919555288d9f14158f9e391ff494bcd0c1e3f66",
+    hash: "d25b20daa0bd400f588cc7c9516ba2970622ffd803a67a8cdd0bd2c7e677b16d",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "dd8fec20e2a5a7e79f1afac976355cef3f23e7829c82943ef1af25a6bfa7f847",
+    hash: "e4221c497f0d4dfc4ec5a140532c7deb83aa5f5d7614c26f7ee12c45dffcd629",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ce65e04d94b85fc16f43c9cfe2ecb3215ee746ea30f5eda3ffdc67e575dd596a",
+    hash: "f83cb49068f6bf0f3f28bf591cf28e26dad6755e90170b79f88913bb13862e8e",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6460a5cc002b4f4477982ac4553e0c3ba9874c076366fc4ca331d0b11564d6d8",
+    hash: "79421a005ada04615850d9bffa49560eddb92eed0969d5de413ebca87fe71fbe",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f28b7ca7c8c28d5e67a534b46ae9100e2c2eda17ca03f7944a10cf68e72b1d33",
+    hash: "654b2040ee36ede6e7b3e0ee0f66285798a7d359f6ef0110db3139dd3d827260",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5c388e02ce96825aa808734924a1ad10c40935f3bfa45e6bd937556d979a0523",
+    hash: "984e3c2018f3a121f2be0ac6af33b99901a4dd544b4d0fb589bba4b96795d5ab",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "11e25948c0d0ac016ea6b4efe117699e7558d730d161cc07fff9560f7278a879",
+    hash: "2992d93d48b6c0e8a6b8795ee39f8fe2185d4648cb3f4d0a72296b5729da44dd",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c524702b033b9595e82d9f685dd82aceff07845d8fc1a8a329f212061e00da02",
+    hash: "b0bd2d57c7eb29e6f7191f39095f397a9c33de7fb3ffc4979b103ff6a2d5b8e6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "9593f329477e3a57b97ab1594b803ee6cbe72a9b9991a1bb1490b8f04ab8f4f8",
+    hash: "ef4d81d74cd037adb1afa547e8b6afab6c9f386a45cd274abdd63301efe81a33",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "25aee91783a58736681fe5348fb04acc419ea550c4c9517d4d6bb9a79520596e",
+    hash: "7b14eb515e807a311d59ab3cea59426a9cc3b8c306fd1c6ee88ab9d8b0956335",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6c71b560add5699c071c4701a4e859b30717bb72fd9fc90be896122069e25deb",
+    hash: "91ffbd81cc445f575aa9302b3c8f993e5607c94513dc1059a012057d11d808bb",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1c6d078b4bc38acb1ab2c736f3a378eaf2fb3f9999231bb25883de3511e656e8",
+    hash: "f6ce69d1213a79cb33de7d104e344f9d20863adb42cc713b31b787ea86fc2d5f",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "910f17806b350d5325ec5865344beed422f80125db53dc4924d7a02206016231",
+    hash: "f05cb0b01135980bac5fc86a76cc005b8273dc66f2f2ea8adfc98b09a78bcf40",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1215c683a360188c86258625056c2751e326b8045930205b521d18c6919db573",
+    hash: "ad140e2f12044434d519d1c5074063bdac84b4d11d41b8f6e05c4022da16f9d3",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "77f02a3b8ac79ffa822751fd49ba3f8d317fe0af25b60a84ebeaf33715baee79",
+    hash: "ac74bb5e7868d8f37bca376f0c86af15cabacaf2cb72f004f11878cc196fb955",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f1c3bc3805c435b707d0be47bf2b7a6338901971f4d34b8b81c7eb70386a02bb",
+    hash: "47d5da7d94857956036743b80a45e27624dba0c97dd94e6522eb98844ed81dc4",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0243752bb4ff24d7b87898f9ec36e37ac6bb08082e50f6c0a4e86eb55364178c",
+    hash: "0d3efd800fea0f7e1afa50f9149adb66e0c4a0f244d50ac98f0ca4e8f64c1ada",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "98b45e8c42005ca788414a629d8e6e01a34099e546cd7b88a05a2038945f3344",
+    hash: "501b865501a0378403baa261dcff5a9adb0e628160f115a6042c4857140dea5e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "60825cb2309d4e960665beeab1cdbb5957be520fd6c391b89106f3cc0378bf9a",
+    hash: "1397f5138ce0747708779682d768e93da9a823475f229e899b4cbffbb1562e39",
 };

@@ -2,14 +2,16 @@
 //! outside the times.
 
 use brooklet_fluid::particles::{id_of, is_quarantined};
-use brooklet_fluid::{ParticleSource, Session, SessionError, SessionRecorder, SessionReport, Stats, relax_particles};
+use brooklet_fluid::{
+    FrameRequest, ParticleSource, Session, SessionError, SessionRecorder, SessionReport, Stats, relax_particles,
+};
 use brooklet_gpu::{Gpu, Plan, RecordingId};
 use brooklet_kernels::{Position, Velocity};
 use glam::DVec3;
 
 use super::Counted;
 use crate::setup::{position_m, velocity_m_s};
-use crate::{Cost, Sample, Setup};
+use crate::{Cost, Force, Sample, Setup};
 
 /// How a run goes.
 pub struct Options<'a> {
@@ -44,6 +46,8 @@ pub struct GpuRun {
     pub bytes: u64,
     /// Whether it was stopped early.
     pub stopped: bool,
+    /// What pushed solids in each step since the last sample.
+    pub(crate) forces: Vec<Force>,
 }
 
 /// A measurement, and when.
@@ -86,7 +90,7 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Se
                 return Ok(run);
             }
             let begun = std::time::Instant::now();
-            session.step()?;
+            session.submit(&FrameRequest { steps: 1, forces: true, ..FrameRequest::default() })?;
             if gpu.timing().is_measured() {
                 run.keep(&session.reports(), step);
             } else {
@@ -103,14 +107,19 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Se
         let measured = session.finish()?.into_iter().filter_map(|frame| frame.stats);
         run.measured.extend(measured.map(|stats| Measured { time_s, stats }));
         let particles = session.read_particles()?;
-        run.samples.push(sample(time_s, &particles.positions, &particles.velocities, count));
+        let found = sample(time_s, &particles.positions, &particles.velocities, count);
+        run.samples.push(Sample { forces: std::mem::take(&mut run.forces), ..found });
     }
     Ok(run)
 }
 
 impl GpuRun {
     fn keep(&mut self, reports: &[SessionReport], step: RecordingId) {
-        for SessionReport { report, .. } in reports {
+        for SessionReport { report, simulated_s, forces_n, .. } in reports {
+            if !forces_n.is_empty() {
+                let on_solids_n = forces_n.iter().copied().map(DVec3::from_array).collect();
+                self.forces.push(Force { time_s: *simulated_s, on_solids_n });
+            }
             let spans = || report.spans.iter().filter(|span| span.recording == step);
             let begin = spans().map(|span| span.begin_ticks).min();
             let end = spans().map(|span| span.end_ticks).max();
@@ -150,6 +159,7 @@ fn sample(time_s: f64, positions: &[Position], velocities: &[Velocity], count: u
         positions_m: vec![DVec3::NAN; count],
         velocities_m_s: vec![DVec3::NAN; count],
         unsound: positions.len().abs_diff(count),
+        forces: Vec::new(),
     };
     for (position, velocity) in positions.iter().zip(velocities) {
         let id = id_of(position.tag) as usize;

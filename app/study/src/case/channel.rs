@@ -211,6 +211,7 @@ mod tests {
                 .collect(),
             positions_m: positions_m.clone(),
             unsound: 0,
+            forces: Vec::new(),
         };
         let samples = setup.sample_times_s.iter().map(sample).collect();
         (setup, samples)

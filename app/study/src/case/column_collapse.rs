@@ -123,6 +123,7 @@ mod tests {
                         .collect(),
                     velocities_m_s: vec![glam::DVec3::new(pace, 0.0, 0.0); at.len()],
                     unsound: 0,
+                    forces: Vec::new(),
                 })
                 .collect()
         };

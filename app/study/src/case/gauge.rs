@@ -147,7 +147,13 @@ mod tests {
                         (0..layers).map(move |k| DVec3::new(gauge.x_m, 0.02 * (f64::from(k) + 0.5), 0.5))
                     };
                     let positions_m: Vec<DVec3> = of(H2).chain(of(H4)).collect();
-                    Sample { time_s, velocities_m_s: vec![DVec3::ZERO; positions_m.len()], positions_m, unsound: 0 }
+                    Sample {
+                        time_s,
+                        velocities_m_s: vec![DVec3::ZERO; positions_m.len()],
+                        positions_m,
+                        unsound: 0,
+                        forces: Vec::new(),
+                    }
                 })
                 .collect()
         };

@@ -10,6 +10,7 @@ mod elliptical_drop;
 mod free_fall;
 mod gauge;
 mod hydrostatic;
+mod sloshing;
 mod square_patch;
 mod standing_wave;
 mod taylor_green;
@@ -23,6 +24,7 @@ pub use elliptical_drop::EllipticalDrop;
 pub use free_fall::FreeFall;
 pub use gauge::Gauges;
 pub use hydrostatic::{HYDROSTATIC, SHALLOW};
+pub use sloshing::Sloshing;
 pub use square_patch::SquarePatch;
 pub use standing_wave::StandingWave;
 pub use taylor_green::{TAYLOR_GREEN, TAYLOR_GREEN_JITTERED};
@@ -111,6 +113,7 @@ pub const CASES: &[&dyn Case] = &[
     &MARTIN_MOYCE,
     &SQUARE_COLUMN,
     &Gauges,
+    &Sloshing,
     &ColumnCollapse,
 ];
 

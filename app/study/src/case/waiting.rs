@@ -11,7 +11,6 @@ pub struct Waiting {
 
 /// All of them.
 pub const WAITING: &[Waiting] = &[
-    Waiting { name: "spheric-10", needs: "a pressure at a wall: what pushes a solid is told of bodies alone" },
     Waiting { name: "taylor-green at Re = 100", needs: "its case: of the solvers SPH has a viscosity in m²/s" },
     Waiting { name: "standing-wave decay", needs: "its case: of the solvers SPH has a viscosity in m²/s" },
     Waiting {

@@ -55,7 +55,7 @@ pub struct Choice {
 /// validated by.
 const QUICK: [&str; 2] = ["elliptical-drop", "column-collapse"];
 /// What a curve cannot be drawn of: exact, whatever is turned; or too large to be turned often.
-const NO_CURVES: [&str; 2] = ["free-fall", "spheric-2"];
+const NO_CURVES: [&str; 3] = ["free-fall", "spheric-2", "spheric-10"];
 
 impl Choice {
     /// Whether nothing was chosen: all curves, and what belongs to them.

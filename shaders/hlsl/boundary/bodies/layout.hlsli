@@ -9,7 +9,8 @@ static const uint NO_BODY = 4294967295;
 // What a point of a body's surface touches, at most.
 static const uint CONTACTS_PER_POINT = 4;
 // Words of a body's reaction: three components of an impulse, three of its moment, 64 bits each, low words first; then how
-// many times particles pushed.
+// many times particles pushed. Those of bodies come first, and are taken by step_bodies; then those of solids whose force is
+// measured, about the domain's corner, which nobody takes.
 static const uint REACTION_WORDS = 16;
 
 // A body: the solid that it is, its inertia, and what holds it.
@@ -33,7 +34,7 @@ struct RigidBody
     float reserved1;
 };
 
-// How a body moves.
+// How a body moves; of a solid whose force is measured all of it 0.
 struct BodyState
 {
     float3 position_m;              // of its centre of mass

@@ -35,6 +35,9 @@ float3 TracedPath(Solid solid, float3 place_m, float3 end_m)
         float length_m = length(rest_m);
         if (length_m <= UNTOUCHED * stop_m)
             break;
+        // Nothing is as near as the path is long: most paths end here, after one look.
+        if (gap_m >= steepness * length_m)
+            return place_m + rest_m;
         float share = min(max(gap_m / steepness, LEAST_STEP * stop_m) / length_m, 1.0);
         place_m += rest_m * share;
         rest_m -= rest_m * share;

@@ -28,7 +28,8 @@ struct Solid
     uint first_keyframe;    // of its motion
     uint keyframe_count;
     float period_s;         // after which keyframes begin again; 0: they end
-    uint body;              // which body it is; NO_BODY (boundary/bodies): it moves by its keyframes
+    uint body;              // whose reaction it gives: below body_count it is that body, else it moves by its keyframes, and
+                            // what pushes it is summed if this is not NO_BODY (boundary/bodies)
     float3 field_min_m;     // lowest node of a field
     float field_cell_m;     // between two of its nodes
     uint3 field_nodes;      // along each side, two or more
@@ -68,7 +69,7 @@ struct SolidContact
     float stop_offset_m;    // of its surface
     uint solid;             // the nearest
     float speed_m_s;        // of the nearest solid there, along `normal`
-    uint body;              // which the nearest is, or NO_BODY
+    uint body;              // of the nearest, or NO_BODY
     uint reserved1;
     float3 taken_m_s;       // change of velocity that iterations gave the particle for solids, which a body gives back
     uint reserved2;
@@ -85,7 +86,7 @@ struct SolidsParams
     float stop_m;           // particles stay at least this far from a surface
     uint body_count;
     uint point_count;       // of all bodies' surfaces
-    float units_per_m_s;    // of a reaction's sum, a particle's change of velocity
+    float units_per_m_s;    // of a reaction's sum, a particle's change of velocity; 0 where nothing has a reaction
     float unit_kg_m_s;      // the impulse that is one of those
 };
 

@@ -105,6 +105,12 @@ impl Scene {
 
     pub(super) fn check_motion(&self, check: &Checker, field: &str, solid: &SolidSettings) -> Result<(), SceneError> {
         if solid.density_kg_m3.is_some() {
+            check.require(
+                !solid.measure_force,
+                &format!("{field}.measure_force"),
+                true,
+                "not with a density_kg_m3: what pushes a body moves it",
+            )?;
             return check.require(
                 solid.keyframes.is_empty() && !solid.repeat,
                 &format!("{field}.density_kg_m3"),
