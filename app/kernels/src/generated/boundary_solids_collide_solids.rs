@@ -138,24 +138,24 @@ static COLLIDE_SOLIDS: Module = Module {
     name: "CollideSolids",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 44224 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 21320 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "0282a862d766c596d5b804a2d23f6d46afaeaa2141368e5187742a2be881bbc2",
+    hash: "e0651f08a0fbaed23c6fa996c7a2fa85d689b3c83af405752090acd8081a0544",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     name: "CollideSolids+BODIES",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 44224, bytes: 48440 },
+    spirv: Spirv::Packed { pack: PACK, first: 21320, bytes: 25536 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "8ac83cb30f7f375e9ac806d5e95351514c5f8cb978ec295aa8c88644dbf160e1",
+    hash: "d7fbf75beb1dec3e1536cbc713aff252192d504030b5f0f37c708faa59499d9f",
 };

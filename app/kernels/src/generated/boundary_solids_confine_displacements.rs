@@ -156,50 +156,50 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     name: "ConfineDisplacements",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 46304 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 23400 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "bcaffe384fde38720f4f35f92fba797e585c1a72bdc5c418916f510b6eb65ac5",
+    hash: "5ed8ea6432278d839710523a081fecf426d3553488396dd5e32edb33fcb04c8d",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 46304, bytes: 47024 },
+    spirv: Spirv::Packed { pack: PACK, first: 23400, bytes: 24120 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "4031fdf3a4db43b2315861b7abf647144172c51faabc02fa644595653cdf51c7",
+    hash: "6400c85e69fd3ed55f7c747dce08fb06b56b6d87581bdde17e88a5c54ddb9bb6",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     name: "ConfineDisplacements+BODIES",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 93328, bytes: 50524 },
+    spirv: Spirv::Packed { pack: PACK, first: 47520, bytes: 27620 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "97acbc4a6ceb72918f2c5fc4e0cb2458b08b2e6caf73b1840952a2f4b5e9f078",
+    hash: "f72cddbea2de60c25bb7d8dfc33edce4f28124453328549f3faa484f4abedec7",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+BODIES+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 143852, bytes: 51244 },
+    spirv: Spirv::Packed { pack: PACK, first: 75140, bytes: 28340 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "2761cfbc6cc9b5ddd939023ed2ea2d138e537d6c03e26a53f13dbb399cdf212e",
+    hash: "c089ae83b3746ccb82ca62367c944aac8f3889f9a1b76ff921539296215dd086",
 };

@@ -101,11 +101,11 @@ static COLLIDE_DIFFUSE: Module = Module {
     name: "CollideDiffuse",
     entry: "CollideDiffuse",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 47128 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 24124 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/collide_diffuse.compute",
-    hash: "312bfe7f1871682ec7888982d8773b915eac9e3d53dbb6632fa4a0a7ab0e185f",
+    hash: "0134448f79e46e2f35ddc9b31ac2c201012741d3ebac6d9260900c9e0e84ace8",
 };

@@ -143,7 +143,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "12a3c0b92e207b6b36480f6278b978faa06490ed312e98fc5ba024f7a0a71a9a",
+    hash: "6f4d8b46d6521c5d0b6ccb809251694bc602497f96d0debd05e6c36eb326c157",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "3ce2bb9ffb3d56a858e0087379397e219653be1a40d3a5340144f5f19f1470ec",
+    hash: "9e46ea0f0c1dd4d28ce7f359691defd867dd003df34021e6363c5db529650076",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "93b85f9c5414af6139e4cdec445277ab35603127864013401fff7b4351629171",
+    hash: "9d03d9a1968cb90bcb85530cdee5e4c34aaaaaf1fa03bba883936ca1978a254c",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,31 +182,31 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "d0fa35482fc4faf6fa6f1b862ade68b38addd21c107ae47c8a111cbeb99a359a",
+    hash: "3726edab4f1863c07056448966004f93b826201ce71f6445c077bb97b8169879",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "ShiftPositions+SOLID_WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 21624, bytes: 44960 },
+    spirv: Spirv::Packed { pack: PACK, first: 21624, bytes: 22056 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "0707378903b255aa1ab869340e7e6b09d7a2a058d2d1fb70dba30283b6b14dbd",
+    hash: "d0f8ab6a3bc403b9e1fca6c64a712ce6276662b72f0396b7f11c7d650bfb13cb",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+SOLID_WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 66584, bytes: 45928 },
+    spirv: Spirv::Packed { pack: PACK, first: 43680, bytes: 23024 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "c4d1c9bf64a854568ed2f7cca5824bc93e6ef5fdb2d0c53dd74cb4c76a382f37",
+    hash: "e64b201dbe711a7b3dafcc2dd9c21b67ddaf22da790a8d86b0ca4dd1eb80574c",
 };

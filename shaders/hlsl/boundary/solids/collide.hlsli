@@ -26,41 +26,48 @@ float3 TracedPath(Solid solid, float3 place_m, float3 end_m)
     float3 rest_m = end_m - place_m;
     float steepness = solid.shape == SHAPE_FIELD ? FIELD_STEEPNESS : 1.0;
     [loop]
-    for (uint k = 0; k < TRACE_STEPS; ++k)
+    for (uint k = 0; k <= TRACE_STEPS; ++k)
     {
         Surface surface = SurfaceOf(solid, place_m);
         float gap_m = surface.distance_m - stop_m;
         place_m -= surface.normal * min(gap_m, 0.0);
         rest_m -= gap_m <= TOUCHING * stop_m ? surface.normal * min(dot(rest_m, surface.normal), 0.0) : 0.0;
         float length_m = length(rest_m);
-        if (length_m <= UNTOUCHED * stop_m)
-            break;
-        // Nothing is as near as the path is long: most paths end here, after one look.
+        // Nothing is as near as the rest is long: most paths end here, after one look.
         if (gap_m >= steepness * length_m)
             return place_m + rest_m;
-        float share = min(max(gap_m / steepness, LEAST_STEP * stop_m) / length_m, 1.0);
+        // Who was pushed out is looked at once more.
+        if (k == TRACE_STEPS || length_m <= UNTOUCHED * stop_m && gap_m >= -UNTOUCHED * stop_m)
+            break;
+        float share = min(max(gap_m / steepness, LEAST_STEP * stop_m) / max(length_m, 1.0e-30), 1.0);
         place_m += rest_m * share;
         rest_m -= rest_m * share;
     }
-    Surface surface = SurfaceOf(solid, place_m);
-    return place_m - surface.normal * min(surface.distance_m - stop_m, 0.0);
+    return place_m;
 }
 
-// The same, with what friction takes of the way along the surface (Coulomb) and what restitution gives back across it.
+// The same, with what friction takes of the way along the surface (Coulomb) and what restitution gives back across it: the way
+// from where the particle is stopped. A loop, so that the shapes' code is there once.
 float3 ContactPath(Solid solid, float3 place_m, float3 end_m)
 {
-    float3 stopped_m = TracedPath(solid, place_m, end_m);
-    float3 pushed_m = stopped_m - end_m;
-    float push_m = length(pushed_m);
-    if (push_m <= UNTOUCHED * solids_params.stop_m || solid.friction + solid.restitution == 0.0)
-        return stopped_m;
-    float3 normal = pushed_m / push_m;
-    float3 slid_m = stopped_m - place_m;
-    slid_m -= normal * dot(slid_m, normal);
-    float slid_length_m = length(slid_m);
-    float3 held_m = slid_m * min(solid.friction * push_m / max(slid_length_m, 1.0e-30), 1.0);
-    float3 goal_m = stopped_m - held_m + solid.restitution * pushed_m;
-    return TracedPath(solid, stopped_m, goal_m);
+    float3 stopped_m = place_m;
+    float3 goal_m = end_m;
+    [loop]
+    for (uint way = 0; way < 2; ++way)
+    {
+        stopped_m = TracedPath(solid, stopped_m, goal_m);
+        float3 pushed_m = stopped_m - end_m;
+        float push_m = length(pushed_m);
+        if (way == 1 || push_m <= UNTOUCHED * solids_params.stop_m || solid.friction + solid.restitution == 0.0)
+            break;
+        float3 normal = pushed_m / push_m;
+        float3 slid_m = stopped_m - place_m;
+        slid_m -= normal * dot(slid_m, normal);
+        float slid_length_m = length(slid_m);
+        float3 held_m = slid_m * min(solid.friction * push_m / max(slid_length_m, 1.0e-30), 1.0);
+        goal_m = stopped_m - held_m + solid.restitution * pushed_m;
+    }
+    return stopped_m;
 }
 
 // The end of a particle's path among all solids that it may meet, and inside the domain's walls. `moving`: whether solids

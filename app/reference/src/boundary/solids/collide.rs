@@ -13,26 +13,26 @@ const JAMMED: f64 = 0.5;
 
 /// The end of a path in a solid's frame: as far as a particle that stays `stop_m` away gets, sliding along what it touches.
 pub fn traced_path(solid: &Solid, start_m: DVec3, end_m: DVec3, stop_m: f64) -> DVec3 {
-    let out_of = |place_m: DVec3| {
-        let (distance_m, out) = solid.surface(place_m);
-        (place_m - out * (distance_m - stop_m).min(0.0), distance_m - stop_m, out)
-    };
     let (mut place_m, mut rest_m) = (start_m, end_m - start_m);
-    for _ in 0..STEPS {
-        let (outside_m, gap_m, out) = out_of(place_m);
-        place_m = outside_m;
+    for step in 0..=STEPS {
+        let (distance_m, out) = solid.surface(place_m);
+        let gap_m = distance_m - stop_m;
+        place_m -= out * gap_m.min(0.0);
         if gap_m <= TOUCHING * stop_m {
             rest_m -= out * rest_m.dot(out).min(0.0);
         }
         let length_m = rest_m.length();
-        if length_m <= UNTOUCHED * stop_m {
+        if gap_m >= solid.steepness() * length_m {
+            return place_m + rest_m;
+        }
+        if step == STEPS || length_m <= UNTOUCHED * stop_m && gap_m >= -UNTOUCHED * stop_m {
             break;
         }
-        let share = ((gap_m / solid.steepness()).max(LEAST_STEP * stop_m) / length_m).min(1.0);
+        let share = ((gap_m / solid.steepness()).max(LEAST_STEP * stop_m) / length_m.max(1e-30)).min(1.0);
         place_m += rest_m * share;
         rest_m -= rest_m * share;
     }
-    out_of(place_m).0
+    place_m
 }
 
 /// The same, with friction and restitution.
