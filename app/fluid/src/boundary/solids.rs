@@ -7,9 +7,10 @@
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    BodyState, Buf, BufMut, Buffer, CollideDiffuse, CollideSolids, CollideSolidsVariant, ConfineDisplacements,
-    ConfineDisplacementsVariant, Counters, DiffuseParams, Keyframe, MarkSolids, MoveSolids, Position, PrecisionKeyword,
-    SampleSolids, SmoothingKernelParams, Solid, SolidContact, SolidPose, SolidsParams, StepParams, Velocity,
+    BodyState, Buf, BufMut, Buffer, CONTACT_REACH, CollideDiffuse, CollideSolids, CollideSolidsVariant,
+    ConfineDisplacements, ConfineDisplacementsVariant, Counters, DiffuseParams, Keyframe, MarkSolids, MoveSolids,
+    Position, PrecisionKeyword, SampleSolids, SmoothingKernelParams, Solid, SolidContact, SolidPose, SolidsParams,
+    StepParams, Velocity,
 };
 
 use super::bodies::{Around, Bodies, BodyBuffers};
@@ -55,7 +56,7 @@ pub fn solids_params(scene: &Scene) -> SolidsParams {
         blocks: blocks.map(|blocks| blocks as u32),
         solid_count: scene.solids.len() as u32,
         inverse_block_per_m: block_m.map(|side_m| (1.0 / side_m) as f32),
-        reach_m: (path_m.max(2.0 * scene.support_m()) + scene.wall_offset_m()) as f32,
+        reach_m: (path_m.max(f64::from(CONTACT_REACH) * scene.support_m()) + scene.wall_offset_m()) as f32,
         block_m: block_m.map(|side_m| side_m as f32),
         stop_m: scene.wall_offset_m() as f32,
         body_count: body_count(scene),

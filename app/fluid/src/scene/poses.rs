@@ -25,6 +25,9 @@ pub fn poses_before(scene: &Scene, states: &[BodyState]) -> Vec<SolidPose> {
             rotation: first.rotation,
             before_m: first.position_m,
             rotation_before: first.rotation,
+            // Near everybody, until a step or a round of relaxation tells the box around it.
+            min_m: [-1.0e30; 3],
+            max_m: [1.0e30; 3],
             ..SolidPose::default()
         }
     };

@@ -96,5 +96,5 @@ static FIND_CONTACTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/find_contacts.compute",
-    hash: "2fe85cf1ac041ab2028591352297c9ac5f67c800581f6ae90333d194ed0eb7c7",
+    hash: "e4cb73bbe518de9485360e0f42e7ea0b2c416eb9fcfa33456e18fb01e9766f21",
 };

@@ -83,5 +83,5 @@ static GATHER_REACTIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/gather_reactions.compute",
-    hash: "74d9b0e069f43da7d6dead54e35919b7ce1b2a1bc11f473dcafff5e8cc4efdd5",
+    hash: "3a20a15cffd0577118ee2fc39096d15d1ef4cb25f3adad885d6b820b044e1448",
 };

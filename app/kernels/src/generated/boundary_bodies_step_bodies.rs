@@ -96,5 +96,5 @@ static STEP_BODIES: Module = Module {
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "e8bce86547aee42e5ef9c9cdbc418215a38097e130dd412debeec763f64072af",
+    hash: "0fc9362d1647968e1845f22b15a952f512375b9373ee8fd06faa95acd3a1f2d2",
 };

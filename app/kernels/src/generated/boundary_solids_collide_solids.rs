@@ -138,24 +138,24 @@ static COLLIDE_SOLIDS: Module = Module {
     name: "CollideSolids",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 21320 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 21800 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "e0651f08a0fbaed23c6fa996c7a2fa85d689b3c83af405752090acd8081a0544",
+    hash: "aa1b08db6d8f58838443c284693c85ab074e41dab90b809b280ffab6cdd4627d",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     name: "CollideSolids+BODIES",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 21320, bytes: 25536 },
+    spirv: Spirv::Packed { pack: PACK, first: 21800, bytes: 26000 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "d7fbf75beb1dec3e1536cbc713aff252192d504030b5f0f37c708faa59499d9f",
+    hash: "d23d6dcfc55692f30efad8a64da539ce2169ad3ad97e8e6c70009b57b57b70b8",
 };

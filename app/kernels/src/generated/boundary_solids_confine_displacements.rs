@@ -156,50 +156,50 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     name: "ConfineDisplacements",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 23400 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 23880 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "5ed8ea6432278d839710523a081fecf426d3553488396dd5e32edb33fcb04c8d",
+    hash: "a8022e438031f410a3d6922590d6589bfbce20163408e8780872261e4186c5e2",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 23400, bytes: 24120 },
+    spirv: Spirv::Packed { pack: PACK, first: 23880, bytes: 24600 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "6400c85e69fd3ed55f7c747dce08fb06b56b6d87581bdde17e88a5c54ddb9bb6",
+    hash: "c7d441b7d2e20357de7688d1a6c945bb2b42a1152995ef5522d50ab422af2808",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     name: "ConfineDisplacements+BODIES",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 47520, bytes: 27620 },
+    spirv: Spirv::Packed { pack: PACK, first: 48480, bytes: 28084 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "f72cddbea2de60c25bb7d8dfc33edce4f28124453328549f3faa484f4abedec7",
+    hash: "db484649c98c9f6097495421f948a9cb89c9bfd72abaf01fd6fbf8b19675103a",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+BODIES+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 75140, bytes: 28340 },
+    spirv: Spirv::Packed { pack: PACK, first: 76564, bytes: 28804 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "c089ae83b3746ccb82ca62367c944aac8f3889f9a1b76ff921539296215dd086",
+    hash: "e0a241f44d1b78ff4d4f29acf029a8cc7a378e17d41df72dbf69be2443634e49",
 };

@@ -12,6 +12,10 @@ pub const MAX_SOLIDS: u32 = 128;
 /// Words of such a mask.
 pub const SOLID_MASK_WORDS: u32 = 4;
 
+/// From where on a particle knows of a solid, in h: iterations move it by less than one, and it stays half a spacing from a
+/// surface, a third of h at most.
+pub const CONTACT_REACH: f32 = 1.5;
+
 /// What a solid's numbers mean (boundary/solids/shapes.hlsli).
 pub const SHAPE_BOX: u32 = 0;
 

@@ -64,5 +64,5 @@ static MARK_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/mark_solids.compute",
-    hash: "a9e9de0c3aaa252d69f7aaadf9732294c2f6dbd6a0c1b328b049be237bdf485a",
+    hash: "bc9b9393f7e1edd8e8b8785ffcf0f7798ef48cfb4c5e50f7447443e256b5bfa6",
 };

@@ -71,5 +71,5 @@ static MOVE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "081dc3048270f3e69965388bf7545e6896d2e153f2c8f11c039287903d03b2fa",
+    hash: "0c101ab6ee470e7a2f20e2bbda69f85a7016a88fb8379bfd730c3fb78181eff5",
 };

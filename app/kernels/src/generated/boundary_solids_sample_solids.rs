@@ -87,11 +87,11 @@ static SAMPLE_SOLIDS: Module = Module {
     name: "SampleSolids",
     entry: "SampleSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 46368 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 46832 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "5949876f9c00f595c6546b910698c3835a128c43b0f66dbf4c76e349dbc0f17c",
+    hash: "f15aa6a1302ceb154e450c53f92ccd531a50312ae656b67cd3700973e26c3d65",
 };

@@ -101,11 +101,11 @@ static COLLIDE_DIFFUSE: Module = Module {
     name: "CollideDiffuse",
     entry: "CollideDiffuse",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 24124 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 24588 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/collide_diffuse.compute",
-    hash: "0134448f79e46e2f35ddc9b31ac2c201012741d3ebac6d9260900c9e0e84ace8",
+    hash: "40d01bc79888ea6893300076188573163016ed5b432be1e07d13a7c3f03a1717",
 };

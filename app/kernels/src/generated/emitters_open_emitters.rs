@@ -100,5 +100,5 @@ static OPEN_EMITTERS: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "emitters/open_emitters.compute",
-    hash: "708f555a81c91a4c26e20cb18907fbc1c0b3efbcd30a8494f27c3c846d69c777",
+    hash: "156eafe92781fb543476a82283f438c73a3955b7bb812813360d75d933f70b07",
 };

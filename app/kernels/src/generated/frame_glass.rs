@@ -149,7 +149,7 @@ static DRAW_GLASS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "991641cf80fec4883449ddf28c6c447f554bc098ae9627cf9cb7fbbd1f8d39f9",
+    hash: "c90178db3180cbd7f4b6932c98ffa5a84988ad3ef224986258dff7645493e856",
 };
 
 static DRAW_GLASS_FRAGMENT: Module = Module {
@@ -162,7 +162,7 @@ static DRAW_GLASS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "a726a3610ea10bc89dd7ddc2914674788906e197ff406c2750dee7ab641473f3",
+    hash: "8cd951d18cf295ef4e878a829148322c5e87283a0ae14c67480f5ab31eec9a68",
 };
 
 static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -175,7 +175,7 @@ static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "df391b318af2369738b76fbd0274c6ad76ffb8a57f1a51d00dbd05a2b1b81c24",
+    hash: "627a3e9602c12ddf3ab40ed17ba9845229a578ba541b5c8837b953673b28db32",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -188,7 +188,7 @@ static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "f3b31fb13721d30f43d0d002477f250c68cc7ccec1d47e164c5d1c1b58cb3a7e",
+    hash: "328acd0c5f3769773ccd8d89adc4867fa5cc758c443570515024571e2ad164d6",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -201,5 +201,5 @@ static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "6b3f91763fd1eca0fb5a951e599e1e0ad999193abb5bb7697d0b617bb67db861",
+    hash: "d6ce3833a6d7ecf6967c420ec8dc0d6f98216da6aa89a9e912c38326c448c7e9",
 };

@@ -194,7 +194,7 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "fd10aef49e9ba2dd688ca3139924612a3008f88b77aabd9e3e49533a16685e0d",
+    hash: "28c5d96fa58f5e87661b328c6c218381a998cdaf09d83c1a9f9f7cf3b826a4ec",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
@@ -207,7 +207,7 @@ static DRAW_SOLIDS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "dc1caddd3d79485b36caa80dfa5400e9e4288493db64d6d27b69e391b5e90c2f",
+    hash: "b7a575d5fc1e566c853be0aaf6f56031208983d2caf11d57c68a7e681a63d091",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
@@ -220,7 +220,7 @@ static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "b2f3852c68189c9e0ff1abf66d0195d6db18a0f9838cc08d6d9eabf661719f42",
+    hash: "0e6cce37781379d8b4cfc3d1285acc476eddb2b28b05d1db4b39f216b4fec8e8",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
@@ -233,7 +233,7 @@ static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "e79e21a1ff3ffa19ebef988c44d1ebfc8cf154339b5c83b52c03c4f62ed732e9",
+    hash: "460e283aa029b4b8b5678d143cbaf8996196685e550c617a85b51ae56b20dfc9",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
@@ -246,7 +246,7 @@ static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "688dd287331bdc3a345dc512d3fa18ce1e7898ac613f57657845361f49c279d6",
+    hash: "986ccb49ed409934fb2c1661efa210d7bea61abc0dc3a0c8a52f98c4add5aeab",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
@@ -259,5 +259,5 @@ static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "7d8a2950197ad7a4c67b3774c164844865767beff275fa8c17f266d827d5bdc6",
+    hash: "56a45dfb36a6559e1e465d784e353c67e5c98eb74992429455f5209086401bbf",
 };

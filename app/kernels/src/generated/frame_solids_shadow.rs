@@ -74,7 +74,7 @@ static DRAW_SOLIDS_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "63c03cff5c7e7fd643cf7f4bc9f3e5dc98a94f4e7f305c52349ff4fb0de06579",
+    hash: "b45a125e51b5dc5ae2f3a0218829d04d35eddf6df3b7a7806c255fcc7237bebc",
 };
 
 static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
@@ -87,5 +87,5 @@ static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "5b2f7af1d784f03fa7035d55fa29151eb5293563a4755b0c8e7c4d2b8e103ec0",
+    hash: "698467a9beba2d4cb69586069f64642fdbc689c825b5535e633c03fb872613db",
 };

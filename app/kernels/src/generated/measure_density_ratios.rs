@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "80d074b0a68e03844cd8e5d59d5a21218886fe64aa0dc9712af4898ba37ba023",
+    hash: "443fb17a651e9cbb6c4e4ab013e5fd65f5ce0daea354adbbfd71720803ad2f0e",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "f8b005b08389e388ed2e89a1c43db89f95bffdf550abdad05bba598ed02f730f",
+    hash: "9e4c04b48c1d11734a9bcfbc8c5f6c73d2748069ce9028953baa7c89d260fb3d",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "bd488ece3d101a21a54313f51c17b46bda272a1df88390c0a8dec6afb0bc06ed",
+    hash: "2a9b0ff507223e6b95bfcd7bc47c3f9ecd1f92f1e1d20fbd5feb6716cec3cd92",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "36750b3300ab2af04153e302e4a3e0fdca68c94ce8c5b7e12359e2c31716d806",
+    hash: "24adb80c0d1e0fcf8c136225bc77ac5310d4873325be7e4ed1bc7b67cc0c1cdd",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "0d6a855ae3107d8b87ce4d24eca15ab879427759fbcedaeb5dda1c8cc545b972",
+    hash: "5e40b1e40b19c9886eccfde4691d520a00d8b5bc26f49eaac5be3cc6bdcccad6",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "17fafcb4cf090486a51bc8439f833788527ecdda4c5ca31c26b6f41ef8720738",
+    hash: "260fab6d1b227228b956b779eed867602c150b41e7b7fbfc0732f3e730e21e24",
 };

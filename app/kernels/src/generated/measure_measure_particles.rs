@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c3c0c0d2de62cbc4f10089a3f6ed91de65b3db5c3d55ca345259b10177ff44a0",
+    hash: "3d0bcf53364544c1c7dc4cd35ab41b7f743ab4e63a7df08b15ec99d7e94ee0c6",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "091540b5f4b4851419e69e5e5e0bc32d0a3d94e06eb190c6056fd08ac9842e79",
+    hash: "fb8b589ee27cb0d48aad78cea6186862ab6ca21b6b9aa135f27cf7b0411c8270",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "39b90749f3dfe91808816ee0af42b333b6496c7dbe61c99f68e687d72aede8e7",
+    hash: "e72fbf138fe1a95b07d28e0da64d569985ba0a415030b3ae4000928b7a86ec80",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c4659aa6b012a08ac6733c0982b04038a14047a9d2fe85189233fa1b78c7275e",
+    hash: "98bf1e62d7a7d86317d1c138a7654e12d83866a05efd8ed2c6047530f144758f",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "6a4be704335d953c5a030d0da9cbe49773c1f40d51b741ca29bdfdbeb65db72d",
+    hash: "4411cf0eb83e80ae6ba800a95c63399905190ade765ccdef3760eba53fe78265",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "32f45f85d8599cebbc53cdbb2db9d440b69b2b417eb3ee3ae3457c1c9997f415",
+    hash: "6ec4241f1807efc09f07f51e610ac1386614a0c851e185929deac6c8a26e7647",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "db9151185bc309b90d5dd502db63c89903164113c1c3cc55ef995b5e7044a249",
+    hash: "e3e9e2ae2ea024e4968aed3bb1629184b3af45122e97a6beecbd84e7d7c12627",
 };

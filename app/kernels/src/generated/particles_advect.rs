@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "5a501b1722c40001453abbf7720ed9715a3a9165635c8f52df230905e20e81f0",
+    hash: "cbd364810065483aa7e75ae9896a0c93ec61c911c8212aedbb13a018c9b495c4",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "0a2884e487fda44f15ce4d10fdcb6199497094e7d8cae2d12c21a92b9af34d53",
+    hash: "c6019ae9343eb26a8f4ab3d054df3e5e17747bbe7f64721e2ddd8a97c7121a30",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "fe31ee24db064cbd4c6a1f3fc4013430dcabe7051278e2156e11057c77a7c96b",
+    hash: "15f8801d551bea98329736cdc1e56f6b1adffdc3e795f04a366e36ddb8588501",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "3e8e94422a7aae9745912639ac9e206a9087e5eb2aa994c75fef26db1031f72d",
+    hash: "25978bda597fc5dd05449c4ccf85f31cd253421967727d3f2287b6877fc14246",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "2674ab45fa65ba37d13dcfde660f7aae6ab2a4b0a8f5eec99e596339450ee1c9",
+    hash: "9dbd1ea1d511bc81f677b6eb480fd2ba7dbea7c0e5a1204af8d1d1fc28775a43",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "4af11f6eb540cc25bdc5fc9ecdb709f6fbdba1cf7c7c166173d1e26cb37f1a6a",
+    hash: "d257965fa88efba82e0449f6f836570251673de369d24411cf78d325499471c1",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "21e87e30bb0df80bae9db2565acaa7cc4360f194ce3e58f3f7ce690f27a6911a",
+    hash: "b699e318f4a23f9a8a1e2c4d37c731dd7b094dac4d952803349bcc85babeed09",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "6b7944f8800814e43c7a72f2915da6797457bdc5f16043859b00d96aa19b757a",
+    hash: "e39e4d02f9b80791542377c093d979acf74875d5661788bd153a02ec7fcf5980",
 };

@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "6b67a280ea4262808c01ebf28cb2b347e1c7c07051ae51acebfcc8292bff1a16",
+    hash: "0b1d66b371cc29b3cbfdfe13e6a1652ad4cab8a1188a40f0da5fe2d4ad1926e0",
 };

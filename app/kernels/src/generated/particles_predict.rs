@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "39257624a91cb7260881f83f6d36ac8b5e9901769c49bb81f3c94494d1e6bc80",
+    hash: "86830f0df69b8f39adbbdee31c214806af59b25b849e99831597f4f6209caae3",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "cfc3f8aa9bc817390f3f917aff0133d40fb9102780a44162a6bb01a07a65ea85",
+    hash: "46d510a7fa24fd0365f777302b923a3ba9bddbbeffea1dd49fbd2357adf6fd51",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "ec6134aa8546affc35d07dfd0350a8616b48ffed1ca7ffeb0e641d3fdbfac118",
+    hash: "c5b7aebcd5e769ea4f77e8591e9943f15bff1061fe22812fe753cf9d029cc99b",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "6b1a880bbd6a8a7b20e4c39219d010c8fd7d47fb53a5cc97496dccab4e2559ff",
+    hash: "da185b36dd1d1de0f669ee280a00af65671733ca5896b69da79a707943ea1692",
 };

@@ -221,7 +221,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "0615beb986ff4603bdab1dec6232c955da46e0e1bf4ce0f2539985f0c79013e4",
+    hash: "37c027cae13bb74b8b49211851225b1b5d25a746f3f850b01be3eb05ede2eaf3",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -234,7 +234,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "ae4ab6c793fc724950d098ba9123fc87353479e5d57ebd95619f121828a74749",
+    hash: "3481e1e5dbfb900ff85094b5d47925f49c1c59f1bae8d93b656965f9b5f9b9ab",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -247,7 +247,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "146ec59104d1fb9bda1fa6389e54fc674dd7d619b8d7daef9bdfff1e1bb5bbe4",
+    hash: "bbf842f764231946c929295025b5028d090f258ee23ed7559e46f99827a5f173",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -260,7 +260,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "b4d1a5454e0743e3574054b1e7e1c7303c392711b68ec7fad75e131ba562fac3",
+    hash: "2787ab884b50ca8cf20e9353c4aa58d04890c478497a5799b7900fa55c74abe3",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -273,7 +273,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "77486c2989982d6ec74219930e0c22770b6c67cd43787a4417b29c1d64c4d5d4",
+    hash: "d8f872e25895e090f6bfa8451eb3c95e7eb6961c23188ffcc3ddacde84e7b56c",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -286,7 +286,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "c28d42d84bc226917deb73590a84fd16eeb17ed2d51480112248a5140bec7a4e",
+    hash: "5dce40e6ee249512c9d645f5acacd186ac5b68b4b74c538b3edd2af4ba3aed5d",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -299,7 +299,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "fd2f9c9322ad6b71be60b4d6e64f4caab332b5a40e0eb34933659e27ec546d3c",
+    hash: "434fbbb18d8112ba3be94fa7c52165cfabf12796f4828b5ce9e87e324142fbc8",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -312,7 +312,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "3bd357607d2fa3e426a476ec21d72c0af1c34b2232743aec0167f9e584403a95",
+    hash: "0a7ab79e270d02716c3e79bb97b8ca611c24bd0e576f754b48a2fcc67a7b3026",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -325,5 +325,5 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "cc8751cca4a65c6b7651f2834434e5fcee821ee0a66be23b3a2350922abc9eec",
+    hash: "793683b74b29171345dff3f43a2689a2c321bf7478a4869acbcfe8c12b5d8ab4",
 };

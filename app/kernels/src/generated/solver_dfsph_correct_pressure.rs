@@ -214,7 +214,7 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "2490ffcf14ea4dcdb3c9deda4ee225f408fd059b9f9de8935ad5db42ad74d045",
+    hash: "c49a9beffc0bcdd6b5d090587f3e22af90e79eef1cab4bf4470fae61d3fff609",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "3afa300b8f6d415bbc0a22f3fe2f07a5f4a50265af1accf5d59c3e9fadaf8b40",
+    hash: "36c48a7ba6c25270bbe243a6e05483fe7d97e6c4e115558416a3259819d8aa5c",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "913d4956d5d9257e416f51d1c9bcfab1531f230e4e1e7b531c4e70bcafd26f1d",
+    hash: "0b3a2cfc275814cbd77180a1159c3fdae81a9e359cff8b6ecd36c6309bedf947",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
@@ -253,7 +253,7 @@ static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "2b3ff156ffb73d4a8755a6d9d85725ba8af3e36fcd0a60ab0dcb23e1e26dc424",
+    hash: "14e1655bc2a80c0628f865ba59cd0fdd205cbd09acc525073a11a639f4f739af",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f56d9af7e2489aaa4026a084fef6d3e11cd5aa08144e366938d578ebc64e489b",
+    hash: "38a22caeb1dd1f40e3cb8912e097f17494e3a3366e2b190c0eb62fa06ba6c2d0",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -279,7 +279,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "fd3cedb1bca54324b201fb9dcadfdd14dbf1fd4c36326324704d6f44b200e875",
+    hash: "625899a48730310ddba4289b14f4d44c43c9fc44788cc20168300106b07d334a",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
@@ -292,7 +292,7 @@ static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d3ccd5a7bab0f75231a120f5446f543d3f77e23b5a2306e4b16b038785aef692",
+    hash: "af4f16d9be6acdb5c76e6d51817589c89d5ec6847713466ed7fa88d6ab347431",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -305,7 +305,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "9e41eb98a7042be9e00f03490383c1cd9ebe94335bf26c65e000d8685cae8541",
+    hash: "fd67c21311961c67130a638dbd6989f7f4a9d6951621425fc99a4226bc01d196",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -318,7 +318,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c469c1093817fcc65dfb6132af2ffba09ad7e7b33703ac7f4ca950218709e0b8",
+    hash: "ac7a07bf4f219e036b19abc5911b721cdc5af7ccd03ecc6bb231aa5fcc90e2f8",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
@@ -331,7 +331,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "d621a1926f2d57fbe4f7c49ae7e84b08bb587c659e26e97c3624d815fb736571",
+    hash: "422c946cd60fe0fd68eba77cf216941573ecc6137113ebd9578c662ee48ac81f",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f1aa87f6cb1a98e4b8c0afc80f4246e468d080ca7d56a32e0ddbc63d90ea471a",
+    hash: "1cff6bb4c6749fc4f15b3985044e37b3c751be829ac89fc270392d364ae28782",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -357,7 +357,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = M
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "5cf352551ecf3fc73b3738b5537c5d144ff77dde0e901565d070b8bb8b31f0db",
+    hash: "869b4d427ba5fcc0279203e1eb185f1e4c0c017f34b5b30ce6dbc22676d305be",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -370,7 +370,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "56ef01408293547ac89b03b805b49033d3cb8870e003118b845fd52f9452a073",
+    hash: "986633d344e6d3038b58f180faf77968862f15d6b12e357dd8610f59a51d5f01",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -383,7 +383,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "f404ba8d754fee79e7d3078af871265ea20af33b50463586e5867f433844f7b6",
+    hash: "10d4600b67dd79657db2b8e46a8ed6528e09bfa64d61fa6d2f5f2a8ccc599f3e",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -396,7 +396,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "ac9dd628f5c7e6a478c3af5bf9e6ce16e5047f0876282ead3d950ecdf3f03a98",
+    hash: "506ddae2c1048e3e7e3af5f91d4a64fe1864e0fabb6ec821930386582add025f",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
@@ -409,7 +409,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "079d6d0c4c96309f633b63cbcfb04627b9c1722f3c2b20015acbd6af4f274be0",
+    hash: "b6c697f44ed80fba512975ab08f8404f4b0da83b510e85c2fc70598c1b27774c",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: M
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "ed544672797582367aaaaee89affde90b6a40dde3d60b7ff8f574deff6bb6af8",
+    hash: "5038338f5c0431ef1009f7fe1969a162dc207a186dfe9a453cc949123bffdf5c",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -435,5 +435,5 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Modu
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "4e6c43642c608f424c0a1388f6beeabd6a18db1781914018279f5e35ff2307e7",
+    hash: "c030a67e47fb6c18ca6405f6e267ac69f76a489aac0d75b317439afb2fa54a45",
 };

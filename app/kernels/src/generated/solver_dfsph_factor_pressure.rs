@@ -184,7 +184,7 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "c9d783ce89d5fec16ee63d2ca49392d5d7019c1f5fdfb5ab0eea3bee070259e8",
+    hash: "143dd8d9395c9bce69ed6d7d8a0dfb5489ad8c0b8e3271e44854aa586aeea0b6",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "a8be5627c22462d07bd2775100b97ce033e95faddcd0682fa681f6ed1017371a",
+    hash: "8c36632f3e1621b929b6ec605f12b412c3c03cc09bebc3752e6bd44b19c4f1c4",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "e2e4caa8f0d9c6a579ba090f8141961638ee6d0f2f1f45ade57402ead0afd556",
+    hash: "d069602dbb838cda550ede70f1de967c9e4b1470d663827ca2196e5ac144f0ca",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "50f90b347544e18cf4ae80634a30168ea7fb2ffd1e12fd495105b88607a01ad5",
+    hash: "1b44c6c53ce403444d955cfe5c63ea0d30b2f9c4b2cc8264cdbc3af29f8c1724",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "94aeaecd89eb99dbccda85b594e7d98df88bf5db183d353cfdcc930b2c054bba",
+    hash: "90bc38c3faba345ff20aafa81d315050356b267ce127992395e5c75c933e2152",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,7 +249,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "21d29d63bb247cfd5bc35caa36578aebecbd118eda57609d4e81d4984f1ee9c5",
+    hash: "21b52726f2eb5640fa1caa57f38996732e0f907b8eacad32d67a28d7f075312a",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -262,7 +262,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "ff4b279aeac7c3e651edf7a4cd899f5975506afbfce86a631ef759e0a70e8de6",
+    hash: "569297f62081e34bc28159c67d480163fd035d4330cfc413846812db2947181c",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -275,7 +275,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "944d3650129f4f6c11f00688839b463d63426cd0d01f40f1a8837dc727894279",
+    hash: "371b60eb1a42cf369d9b4080cd95d0788a29d303eae9bde520ceac6a32584329",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -288,5 +288,5 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "e70f70b07f85f7a9bd960c2a6840c5073d792770247f38007d56dd5e0c80fbad",
+    hash: "fdc084013874e55a21b456c2b38a6992076ac9a074bafa3586604d4de426eb82",
 };

@@ -143,7 +143,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "6f4d8b46d6521c5d0b6ccb809251694bc602497f96d0debd05e6c36eb326c157",
+    hash: "ed6bbf6e7bf353410c77dca7f1a98b136637f718cc2657662cd091f059d1573d",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "9e46ea0f0c1dd4d28ce7f359691defd867dd003df34021e6363c5db529650076",
+    hash: "2c8cebadfdb54ff95af4af8f900349ed2bc55c83a8f956c29a99fa1dffb2cd57",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "9d03d9a1968cb90bcb85530cdee5e4c34aaaaaf1fa03bba883936ca1978a254c",
+    hash: "d8d1f743d7b70ba05b57a5295c3750e83d9873abc02ec5311146e44ac4056046",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,31 +182,31 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "3726edab4f1863c07056448966004f93b826201ce71f6445c077bb97b8169879",
+    hash: "7132f00327bfd94c1aec151bd95a15cedc8c20101244428ac2d6bffc11627a6d",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "ShiftPositions+SOLID_WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 21624, bytes: 22056 },
+    spirv: Spirv::Packed { pack: PACK, first: 21624, bytes: 22536 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "d0f8ab6a3bc403b9e1fca6c64a712ce6276662b72f0396b7f11c7d650bfb13cb",
+    hash: "80e2103d78c926226776257534ee485cc31eda3809b5bebee2f34f9bcd99be5b",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+SOLID_WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 43680, bytes: 23024 },
+    spirv: Spirv::Packed { pack: PACK, first: 44160, bytes: 23504 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "e64b201dbe711a7b3dafcc2dd9c21b67ddaf22da790a8d86b0ca4dd1eb80574c",
+    hash: "d9709a78eedd408fb9871b845c9fd654b86afe791e70ad43d3715793a94bb6a7",
 };

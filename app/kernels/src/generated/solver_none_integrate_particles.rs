@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "19b6e059e914195ba74c07695978426e76ecbe4f3cee6d34574c7156d8e0074b",
+    hash: "01630f0ef0fc26044cd679e8482224360c3b94496e1fedcca1aef94de6d838e5",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "4fe0f2081d3dcafc16d9e865ab2a89b19830e92116bbe03afb185f07930cd708",
+    hash: "d22aabeee9f7c66ea840c5aeb0c3eda812142f48117f963577accd72215e9c34",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "e9034805d4989a12dbc248fe769fee974e4ba44bad6059d8593b7b1a024b29f3",
+    hash: "4bc5b9313199e4b667eb674558e086b79e4b490698823bde81eaffd10bbbd1ab",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "e42595a967de36bc65aec59c2a135de512129328d3a9ff2a586bb3e87bc2d142",
+    hash: "ce970cf8aa5e58f53a0a16abf0ab228ec6a69e15ca4a4d1f7a9bf5d7083707a4",
 };

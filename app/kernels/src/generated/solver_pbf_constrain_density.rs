@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "79b924c11bb92c2dca9abe17580c01367440e08006f0d152cee1f53c2167286d",
+    hash: "6bf2ab5ee3b93268669cfb35d0757f881a29f6d3fd7058cee7041031aee35dcf",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3b8d619950da5d0eac38b6571276099d7e5fd53d9aa2850b2a3d9244a16de383",
+    hash: "d6b34595033f8b50c265e9f5d59c23895999fef7534c722b2ea23aeef1a55919",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "408a57c43c160a9791b938aaadb8aefd1c2529a192e84562ce1d374efe967922",
+    hash: "c21e6849b89b34d58ac7e32944d6516e7bbcd19d6b5cb5f0ad5c8aeae3361bb4",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5031bdc53a6d23704f4a1b98a9f5a8f67afed641d3adec133dacf556ba9db07d",
+    hash: "f637cceaf5cce0c589912002d09cb17365eef2cadc4581fcd9204673f0f221ef",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fc0bc68a48081048ed1f9456e1b0b7d262e0221f32ddab48ea384a6e5b196a3b",
+    hash: "0f8f5aa0a47bc00d32f8c38fe6667d55d9638e1db0d698cbda41e794ea83e8b0",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fd3dc05461d4afb25fef2b545cd55e92e50edf122dffebde11d574d2e08189dc",
+    hash: "08d4555b64cf58ae528e0b5aab3cd64ac6a7e5b7705339f096ab55d07467080f",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "72cded67bda16756413b0ebd19ce279917373c03b13f900bb6f1f107c6736357",
+    hash: "f181975436a4f93a8e7d166d2c9cd338418717c76c33bc6f0736e6355ae88c9d",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d945446048248955806ec96e8277bffdeae35a174d7046af155e804546bc3238",
+    hash: "debb005c20728928119bb79a9970691a09689452baef13c3b9cff368963ae99a",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "047a544003b4a2aebe6fcc4d7e8138891c878a2f2b3c1ce0c32af8949d0b2d60",
+    hash: "37c45628cd5c9719b6004bc36cd8004346c84d9cb3349e4d0354a2f73a2845c5",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c69a0c15a220296c7abfe5047373f11e83c71351a1dd124d37aa85b122f2e073",
+    hash: "fe8a8e48f1ef584d57aae1d4e910a868fc8ec316db0817cda1ffe58511388c0a",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7f9eb75565e44ba31e0c9cab07aa3de8cd55240066f575116243c06f47ba615b",
+    hash: "b825eff884a3633f91643e08f2dd731969e4083cab81ed5d3ed46b19d2921676",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cc7aea870e1f0e3b84f5c2ef98335f28f71170a40751c9cdf850445026aae682",
+    hash: "6cf86e47946981dba81923d24358e22e8d1535e0971c16ebd8a33f195e4268aa",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3a3ec7d65ac5a5c2431805552b4798391a674ff9fe5f7960fdd3f9871e1f7e0d",
+    hash: "a0998276f3450ac2ff7afde949a8ada5f94b63390e481deb96a4b8bd1fc1096c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a94bc80d8e5e05cc8fc037a2741bb01de2da09caa274b31e667c1df782f1f7af",
+    hash: "90433a6246ba0c5b432ce21d828cdecc6e5e5a328e948bb2058aecd35437d5f6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c3291471f380cc71b79bb3d81809ab9648c2bc24dbc36d0fa1f698b30ed701ec",
+    hash: "43613ca3b503e4b496485370cf58aed5700b53452a1d65c64eb73107d4c83f39",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3b04ac07107bfda38edf9cd9e28b0bf842a9859df8c845d0c7004ca48ad8001f",
+    hash: "4b9df15846bf7b99f99bd2fd04c1a526f764dd3599df16b4b10ddadf7867595e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "36ba59e49eae3790da08fa50c262a99f43329c419f8ead49b4d7b86c4e6204d3",
+    hash: "a71afab62732fb5b1f362485607d171d1a6ec3598263e8a51a3957bcc9d1050d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2f4d0cf84e172d36b5b0d9f9420c6c41626a29275391bfabdd794c57e995cdcb",
+    hash: "ede43e4c583c296a2fbf47ff82641c912bc8d7152718c5fbbb6fbf209183a519",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f3d429067d8aa45d52179e000ee59d9ca973b601918e81d5c247aad6845999c5",
+    hash: "5b8c68ac2c8f124915a9cedcc0c81af224fbfd7fe312cd3dcf8f5afa6a0386b9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b9d28c20be028100d8df4ef0da5ef87301eaf46fa2a4615343c1b399db73a3ac",
+    hash: "a8cb0936b0a6e9041b93cab883f1d2157c35ebeb1fc361b76f1c71ec98564e69",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5ed885bab46246bf1938d253b0b97c919b907117210116ed2d751a6b4dc4f201",
+    hash: "a54fffd84cd44455076da6efe7be654a42976d744ff10791eb08de05d903ec0c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d0a6ed295c066df3a30c6545b252aa4b05048dfa6c6d16a7af5b7613a19934c7",
+    hash: "14bbe6cc083f283c949a1d7d6c57c8eb25bdd579e09fe6268ccbeb190f573879",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e496d74d44b9afc8943c8f9edf8789b60962efa9c814598a479c9afce25d9d49",
+    hash: "5b6dbdee6b3f5c618193d42fc24893e0c808c7997beacd51c60761bd60dca6c6",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "720f94490a49960caa459d4c93767f97ab640c8faa2096e3700f1d6e2b4ab713",
+    hash: "e7732595717bb5235602ae11cd781e077f47bedc93b4ad4ea2888c93358641d1",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eadefc8895abe4f5483871d5a33b62b3ec765798840eaae1681b5016c0c99fb7",
+    hash: "2c7d9b7d047c813748bb03fbdbebc423ff83433516ce7763b81ea9da026afb54",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eca238b313c86d64d2d6e350e7906ce75b86d1f039a8a580b162b9a3d97fa650",
+    hash: "1493f693665925584348cfb1a53d4051cb86f3d88bd3837c7e3ed8e116ecb30b",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c30027089c495f53a3226d5c2e1da394fcfb5a067b6230a61bb8597a5ed8a05a",
+    hash: "d67d3d6a38f0701a7ac63fcfa515beca95d562a2b99ae1d50aa8503e10a97913",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fa28b335ae8b9310405bf51aef2f826797471b498c55e26ab0d16f250cdf104f",
+    hash: "bd61615c6c56a9e05cdab2e56eca5372bf2c42e18a3149a6703a7fc784a83f9b",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7ba1ba7665f8a72fb63430279a10ce23a6572feaafe0a32f6d3a1f1a6a118f39",
+    hash: "8d90656b83f15d312fafd30e7ba6c5798148b6e42e1008dea56c032aafe1f8f4",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c9ec33e6f46a33c5acb003ccbb84e1ff0fdde715259803c777a63b461a0f5872",
+    hash: "95c8a63f53073996a1a165fb5b86dff6cf1c39024def4e61858b196a8dce840e",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cd088cc56d72becf71a8066e7bc8ea84c2df5d4ebdc2023bf163fd489b702322",
+    hash: "101a2a6e956bbf9963f1fab08e2ef3c3d8e357db1abb4d18143231f78e28e94d",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ab119a974236470fb76d7316b13b4c2bbd88ee29c158cd333fea8691192d0818",
+    hash: "d5392e7393bc51473a80f1964d1ff115383e54ddf3fe1bb5dfaaf1c785fd8d38",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a73e6ed47885a1f735356f9f0c8263edb3144157b137113af7392a84d0920e0b",
+    hash: "55db010069bc1930b10fab9340b72ca7a43cc5ad53ced7528c763b3c42b4646d",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "961791fbb9f35018caea57c50d824e05adb0990fe47acdd9e2c66c3fe8a43716",
+    hash: "a59102864293c0c999277ca10fe65442b3e96979d6c2440aa35d54bc988295f7",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f5b1a42a0233dd19a0a73d8f715eb28ab281e6ddd120e9d38e29adea7ac88248",
+    hash: "82f18f85fa3c6880fa278faa05db579d18cd93d1b8b8da06d2af2c4139951ed8",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eab168b2f2ed4c3f1c8c255d58f1ec8c17bfa9b9145572e9bbf9f67d46fe12db",
+    hash: "9047c96bbd1747f0a6623a4b9a210c07af50c62da6f8c29b195f5ee4f43f111a",
 };

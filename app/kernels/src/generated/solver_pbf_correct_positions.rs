@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6e51649dda3839888837292029c9b1b94afa42d9eab9eb3254345f76b4f665fe",
+    hash: "5790d959e8cde32d6d4108a49c5a63fe0513cee796c3f9618eab25578b34aecb",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "35e1eafc2308ccf189da302094028d9e37e6955c3dc78104841b829d2e44db42",
+    hash: "6069fba8e3650885bbf264f7e909941c928c81a911d2d63cc43763ef56fc5d8b",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4d7d799105238ed7de2dde12c23b2ac1991d4fc3824dd6b50de4710c6c0c3f66",
+    hash: "ed3b73731ce9d0cd1d1be844cfab0e864c459a9ca946e9cdf1b09aa94f6057ec",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "904dffcc8000e95c4e5bdb28a7868bb2d04aec3e8fee5faeb7547eb0168ac636",
+    hash: "1011a8a3edec5dbe2ddb6b15aac31ccc86cbdf266c15594ce4474fde7fa2e6c3",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "dd4a1683d6914b94010bd1406099729d316246cbffbd806f15809983e4a769d3",
+    hash: "44ff33280f97a44f2058b7347fa2a0ee6dc4596d6b28e96c756e280846168342",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "240f77d6801611713bdf1b1baebe2fd5d0dd681e2fb64dbe1fcb522591800025",
+    hash: "a3e2fa27b0943d464ea6f023f083130ba2a26dcac5ca9147016b719602905ac9",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "79e2f4eb97a0d17cbaa49e9b313a71f89f118dfea522d591b1875ad271e025e4",
+    hash: "e6c484fcd405d500ec54525b3e2f538273a79e18d9362f27f3c84afbe8479a72",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5674fbaef1af2b5d6078ebde271b09aad75cacb43c9189cb54b575f96de8a627",
+    hash: "2e8d02734e1d44f1d32f6847da5d7bf8fd2e9bee3b6fd27a0a81144999ab4255",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b18fda52d776fd1e13b57bfaadd7fe6af70ec8304244be1bcf278941e1e3071d",
+    hash: "69b7c067573dda69321dc71553059498ddd6d355d71f1705488e78b52d0320b2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "304777c1a0e539f0c62713ea51a0a914186d1d94f9d96cc870019d0552cd2bed",
+    hash: "179135c9987292fe2ac0b7f651bb3f3541ea8e255ed4ee4d6c6c2a8a57377b4c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "aac5832921f15f779b0301dc42123fe17fe594964c2531a5b6aed06097e74a18",
+    hash: "d687fd841698378c2fe04cc6e3a8bbf7ac98be97c261a375bf5f1d282b336d81",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "3b84823498c258fe6de42c707c1ad3ce79cce5d5d54ab1cf42675f445c879b2a",
+    hash: "9e91b1b348aab2e128b5d69b7af730211fa60fecba4b6744468c8a14116364ad",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "be52e61d91bb6e4f0f6a6cc2bf6b9c2a7e3b283649d7df9602160230631fb991",
+    hash: "ea4114bfd9a57aacbaf69264ee9edbfa76f66b2e1f2c70f95d59b3142f4bcdad",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5f051951e4e62367a95653fbe6ed559049f3bb739e7823c4f839f4e08f75389a",
+    hash: "016e2bb5ec0e4d25b2f2f756a840e5e040cb1338e240f9e2d6bc9772f538838d",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c9349314d94d0f1ec278c41b41e0203624666f4ae3e34dbb645c8041683faffb",
+    hash: "22ec6d4105affe9ae230208899f7e1c3e7b9c42d74f3237420ca65c255657c31",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "87db71ed5aff6c9ea630cf01c97886d6311dc2a525b3e2418f70a3d4cfc403f9",
+    hash: "52a68dfc0a7b14ccb1812ac6fef46683b983484c33e2f9d6e9050bde403d8fd3",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bf9f315bd2a07af136e2c8094ae3383fb75c65a323f25835b04e7a82b5c210ce",
+    hash: "04575469e611c05b3e6ffdf382c0c5796b228470647269a4f2e2b2a4af7b1a8b",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "33c0dcafb7658b2731630c494c4f1df8f85c4dc3c338b8fe94d01969b3a8d651",
+    hash: "f8387e077f51ac12eb725342e09e140cf0f9358ae8bd0c8e3c95eab71e0df44f",
 };

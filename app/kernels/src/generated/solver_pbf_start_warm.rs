@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "dfab38c2b06d903359530ed04f1c32a43533bbe6c811730260a71dcee7f38c36",
+    hash: "2ef19667842b40aa2223f0136929d17c599593e2c043232956e35ebc34c8c585",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "943f56609f9dca46e1ea503e81c6ec171f317efc9b0e1807f9334e200de8c753",
+    hash: "e04eebbb1ade8c5522d4d10b6d90c90b53cd5d6020f095e552f15ccf63d61247",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "551422e45e67ca654f3037581141ad1cda7ad64f7b6358abccdfccf2c6dec53b",
+    hash: "be13ad510308a99483154303b321290885a9b4f975ec333ba5d17bcfbadfe1f0",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "2b2006470acd47fcae02fecc061c67cc96108155820d2a0b7ab45d60f787d332",
+    hash: "16b68f250945f206cc85ac60a81f50a5b6cd0a17e255b53c7a4605d585a924d6",
 };

@@ -264,7 +264,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "bb91a8fe3d169415eaf8d033782af3a44ca59b1fe23b46486df4e01fa1a74f90",
+    hash: "61e8c02566848cbaed83c5be39e9b3ac7c4876c7f707fcbf99ce6880b4db97df",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +277,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fdc18ea19a1cfeafaf726666fe4abca2d29da322eca8d04f4d6aa0f04a326d0e",
+    hash: "ada8cd79744e1a47b44f68c9aa4ef97478027ef7677a32cd6a75b4ae0ceafcc5",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +290,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "28a161e3273f294425136468e459767e3e579e742bec142d68ac277accce74c1",
+    hash: "ff75ec8a1f215d0506c3f8272313186c9c3d6f4270a14644e947af73c34c0967",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +303,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "788c06ad5e6b120143e95cf40abba11a6b26c257cbf6dbf7e53870e3bee60715",
+    hash: "a1032ff46b9fbac1c98ddafba050af2560f3be7e6ef29517f853bf33535df7f8",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +316,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c8037e11a0f731188501dd179ff1d6e4d33d099a9adfca7b1389b4bbcc8f2e64",
+    hash: "ad7fd74a5d63794f8ca403fb89ce45e3d9677e7d88efc5c1d776e45b2874a75e",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +329,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "67276ae3b3875fb7275f4b963020eee2fccecde8a1299e103b9af4329ae2306a",
+    hash: "377f4cb8b8009cd64d19ab5083113d79a17f8a0aaa345fe0ac2d9e3f95ad7e8f",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +342,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8b294f71a70c30378521ef243b92d7ddbf90243cb4600542295de8f87e7eb7a1",
+    hash: "3ce3b9d45ec11a5593cbdeb64504bd8cf8af3020a3192f42528b6abf625ec723",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +355,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "db2d0e988449652963c45cb2238b8b4c4e82b8433a4e3dc044372f89682176cb",
+    hash: "6824dacfa8d1094c6d148580f9b4d63d16ce031d4a9379997e0ef0bc4a50ea22",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +368,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5bc80e0365768e37e6df3704c892634c6a99a1fbffaf7760ccb4723060ae7532",
+    hash: "7146049b7ae1761a1bccfed9801c1e271ca41f17a464969a5408bfc0a075a12e",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +381,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9a992a1fd3cfbc36c4996f058cf0e9f5e24ca2850e9d0461c9a94c24d6323661",
+    hash: "b115a5d9cad13e0cce0c8ba0a3df97a6061c6b541f4bf2e04dcffb85cf7ad998",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +394,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "782390ea394455e57e9acf9309a36ad6656efab46cfa1dabe5253a3263ea0005",
+    hash: "b6ef2ae9b9a24d1c5d5243b8fc22dc963d869cad82dfed339870b4bf49445628",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,7 +407,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "025d2f2e611591dcdc3fe61c839d7cc25d9ef2f6acea23bc6b9c96642ab34d0d",
+    hash: "e4cb40689b7b7eb07e181637f9f8224f62bb9ddfce3d44c1647cbd5ea5ff4418",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -420,7 +420,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "653385929fa5e893bef7461dc256a0a0d4d60e05cfa49b6977a1950e8aa2a5fe",
+    hash: "55e8b9bb24bccd11d2a4082e083170c8a06ac829960a6059dd4bcb3ba05e0e1c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -433,7 +433,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e3f507c2591c3681821a446f0131e991339eee268220780dcee377aad8910b5c",
+    hash: "b659634baa56c7c34c2b0c5008fe95762f9ea2bd977e5608530e143b5742817b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -446,7 +446,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "97be0c2c24efb1600654587098620092b8152a225b172eba2e64eb50ec920883",
+    hash: "033a7492a00a6ec8f78c6225d60009e37cabb55eddf32ca1e51f480dc6e720f6",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -459,7 +459,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "35e2e8a94cfbeeca7f019c6fcee821d5f3f97812e7cbaa9917dd20302f87d2e9",
+    hash: "49df52bf227b7ff175336f1baec015bd1e12cd397af74686146cbc66767fc6db",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -472,7 +472,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c7019aebd8e47175e09fe54285da407b9e3a5a51826ed2df56abd400fa0a72b8",
+    hash: "f251800d9fabb30a31244770eb24eacd04c21796466ed7f8a8d3cc9c8e4663ed",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -485,7 +485,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "db53052b5e4eb7d70459568370b6d9954860be3972959f117449c8304a870693",
+    hash: "a872d0a24a6d1b48142bc236eb28ab39b6a8a9edb82cc8a776921678ca1635e8",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -498,7 +498,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "64578cfb33ab38231ff9f190b2d90c8e6bd971ed9723e7ceb8d5d986744aa130",
+    hash: "bdc9142e98285cee1aff92dd9aff2464e38c4885bb6fa551bead2e41fa3ab7a9",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -511,7 +511,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d8cb5d3730573265bb3e8928f53592e40a7a91430bbdbd25c89c14b1adc870d8",
+    hash: "5be756e504d935e5782caec00341c7a7c7b59c4a01de90052b0b70b737780ca9",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -524,7 +524,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9f158941f3239e6fb4db6e1d705dc4b215144c54702c1bf200d31eafdf816cb1",
+    hash: "5d98d7123a1234baa1ae38fcd9b1b1b2e5a17fb2321e18a77b8abd21d945143a",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -537,7 +537,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d975a58035bfc91f6cd18a25de63823ac7c2e89e757a32d10e1c298df5e893bb",
+    hash: "acb65d0e4c9b05c107afb2b85f95a96c9f38c2d072eb4719e4be059e41b1397e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -550,7 +550,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "03dc61033a12fc25469da87f1df5a4861400340d8b51646a041474fce517d68a",
+    hash: "8dec5dfd1722a128467c41e1b13bb7afc38b71e68cc2fee7ce6845cbf2f93769",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -563,5 +563,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d2e017154f450b44d9a1b391a81165f7213bb3c319835e4dd01a40882d3aaaf3",
+    hash: "254d83337306a8896d658152781dc9a3a762fff4ddfe5acaea3167f580ac0a1b",
 };

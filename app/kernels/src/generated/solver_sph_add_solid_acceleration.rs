@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "0fe5c67790c6c1e4d1f732fe35bba102b2711bf97e9e2a337cc11efc2868edda",
+    hash: "bf5f3f0a547e0bab7b6ca2bdc9b572acf1232dd14e1fab65cf14ca103d4c1f27",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "3a676d7204da16739397521e4bd03f5fb7b9c66feb52b3fb24ea9f89db44d866",
+    hash: "702aeec79ec76fabc48ac07a87847bd280d5e9bb064209d46c8e4180fcd48296",
 };

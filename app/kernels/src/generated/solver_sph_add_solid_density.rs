@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "a7557632df5f73ea83e3e269814bd40205995bd88db326a0615181293c4c405a",
+    hash: "21d63c0c47ffac79afe4e748b703e6b8e67bea10644f3544ef18064bb1fc45bc",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "75dc8b0959d205293ba51d15d0d11937f6aaf540f46e3fe251eceb8d4047bd43",
+    hash: "f3c4a0da81908b49d4521774465f745a10f6b3e2339beedd328cb530a49ab200",
 };

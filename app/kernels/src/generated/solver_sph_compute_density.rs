@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d5ab37607406053caa8ac5c7128944bb1af9846c064247c50b8bef3d6f5a355c",
+    hash: "33b477a205bfa5b72f7d346d515f1f9f4d295f44c4790e0d2ea91d7c0fc7c77b",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "9bcaa2ef6ca1a9e0de17479dffab60eb538dd7e01329d5abea389199166c4fd8",
+    hash: "b793fd103437e31bd44c8368d027d38794979cbf932a8a510258e922b18ff9ce",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "600758e0516e524aa68ff092b67109f8ee41a3587bee4ea0d3af73492e7be4fc",
+    hash: "ca1dfebaf9c942cff336963d47635d590e616a0e3734d33b7cf5671656d6afdf",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "2461c7145c70c1be83738096ade4af008d7ff0bb7ea70be73b1d02c88e8cf258",
+    hash: "8ee5f77317f1430a8e76c70d908b94f7442beaeec7830feb4c2b958b651222f6",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0ee4e2b79ca416393ee567e0c12c8b2d15b7871bb9f3657d52f17898558b83ca",
+    hash: "b8d600c1591270bd8fb74a5eb3cfd28217c866d1054a3acc333b57a5e032d242",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "d25b20daa0bd400f588cc7c9516ba2970622ffd803a67a8cdd0bd2c7e677b16d",
+    hash: "2bc34252c190dd02d85b1fe5b2a0b89d4a250d59c7ced77daf5ae9e0796c3ec7",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "e4221c497f0d4dfc4ec5a140532c7deb83aa5f5d7614c26f7ee12c45dffcd629",
+    hash: "4c0551230cacd613712f182874a0e1db5a94b3e9a0e42453f226ce5c2ccd9616",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f83cb49068f6bf0f3f28bf591cf28e26dad6755e90170b79f88913bb13862e8e",
+    hash: "4d400ad673c447c95fb7ab74bfc3cbeae9e8f0ef49cdd72ef3b0da6a59074ed0",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "79421a005ada04615850d9bffa49560eddb92eed0969d5de413ebca87fe71fbe",
+    hash: "d140976d2ce43a4a4f4936d0cc086301a4c4097f04db75fa2ac8f9faee5c7e3d",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "654b2040ee36ede6e7b3e0ee0f66285798a7d359f6ef0110db3139dd3d827260",
+    hash: "b81a90974060e64fbb1b5892bc0747c7c0acd6c872264418a78527eec3be0c46",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "984e3c2018f3a121f2be0ac6af33b99901a4dd544b4d0fb589bba4b96795d5ab",
+    hash: "05f200749094ceccda24361e1ca4c3674dc756a0902caaa06d20bac60fb1fa5d",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "2992d93d48b6c0e8a6b8795ee39f8fe2185d4648cb3f4d0a72296b5729da44dd",
+    hash: "f239094440b81f9af8ed5bd2fe4d316e98749e7572eb8c76d6659803a6020f67",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b0bd2d57c7eb29e6f7191f39095f397a9c33de7fb3ffc4979b103ff6a2d5b8e6",
+    hash: "2de1bc9b14eb5425cbd0ede893e32fed2b88491809cc2c6fa4cd5dadf35c1266",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ef4d81d74cd037adb1afa547e8b6afab6c9f386a45cd274abdd63301efe81a33",
+    hash: "b1ae87996a6448d12e2a7f9021d6d249591ab8450069f1291d77ce541d455d0d",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "7b14eb515e807a311d59ab3cea59426a9cc3b8c306fd1c6ee88ab9d8b0956335",
+    hash: "622bb1cde0a5cbb63f17a81e425aa8a9ac3bc1a828fe959500426e8bc9afda93",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "91ffbd81cc445f575aa9302b3c8f993e5607c94513dc1059a012057d11d808bb",
+    hash: "0e0add217ac0fe7e833cafe7ff0bd9f2c86329e477dd5a29b055e25926ed265b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f6ce69d1213a79cb33de7d104e344f9d20863adb42cc713b31b787ea86fc2d5f",
+    hash: "cab5d571cf4b2fee6bedb3970cf3bfaf3aab05d7b24ed54adc2c946f608d95f4",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "f05cb0b01135980bac5fc86a76cc005b8273dc66f2f2ea8adfc98b09a78bcf40",
+    hash: "c26f9e4480f59e1899fd01e93e1dc3b1cc83ba60a19828b13844a2b51cfac4aa",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ad140e2f12044434d519d1c5074063bdac84b4d11d41b8f6e05c4022da16f9d3",
+    hash: "908e81a6fb5884b6ac5789f188cd52910f2921d0a1f128d858e08cad6f2df1f0",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ac74bb5e7868d8f37bca376f0c86af15cabacaf2cb72f004f11878cc196fb955",
+    hash: "eea172c2f316deb5653b97370fceda4b5d942baf8acd8bcaae981d5308fb84af",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "47d5da7d94857956036743b80a45e27624dba0c97dd94e6522eb98844ed81dc4",
+    hash: "e3571628a25d7f814dc241536c16a7fc1a2c9b0d024c2b78e5142ff056cff392",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0d3efd800fea0f7e1afa50f9149adb66e0c4a0f244d50ac98f0ca4e8f64c1ada",
+    hash: "869e470da104a0753db72729e33497a2d7c2dc3d20277dbb90c88d067f303697",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "501b865501a0378403baa261dcff5a9adb0e628160f115a6042c4857140dea5e",
+    hash: "99c469c7f0e731adbe2a23069551d7c49ce2d21a290661be358e221d76c5ad0d",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "1397f5138ce0747708779682d768e93da9a823475f229e899b4cbffbb1562e39",
+    hash: "60da23b7e2be57e91376a21dce11ed789215e5a02a549c44a750a068f046fa29",
 };

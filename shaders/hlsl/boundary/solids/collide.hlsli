@@ -90,6 +90,9 @@ float3 PathAmongSolids(float3 start_m, float3 end_m, bool moving)
             {
                 uint s = 32 * word + firstbitlow(bits);
                 bits &= bits - 1;
+                // A block's solids are mostly beside the path: their boxes alone are read of them.
+                if (IsBeside(s, min(start_m, end_m), max(start_m, end_m), solids_params.stop_m))
+                    continue;
                 Solid solid = solids[s];
                 SolidPose pose = solid_poses[s];
                 float3 from_m = moving ? InFrame(start_m, pose.before_m, pose.rotation_before)

@@ -7,6 +7,10 @@ static const uint MAX_SOLIDS = 128;
 // Words of such a mask.
 static const uint SOLID_MASK_WORDS = 4;
 
+// From where on a particle knows of a solid, in h: iterations move it by less than one, and it stays half a spacing from a
+// surface, a third of h at most.
+static const float CONTACT_REACH = 1.5;
+
 // What a solid's numbers mean (boundary/solids/shapes.hlsli).
 static const uint SHAPE_BOX = 0;
 static const uint SHAPE_CAPSULE = 1;    // a sphere with half a length of 0

@@ -4,6 +4,7 @@
 use super::motion::Pose;
 use super::shapes::{BeyondPlane, Solid};
 use crate::boundary::BoundarySample;
+use brooklet_kernels::CONTACT_REACH;
 use glam::DVec3;
 
 /// A half-space that adds as much density as the solids do, and the plane of the nearest surface.
@@ -30,7 +31,7 @@ pub struct Contact {
 /// A slope that is less steep is none.
 const FELT: f64 = 1e-4;
 
-/// The contact of a particle with solids where they are; none where all are two supports away or more.
+/// The contact of a particle with solids where they are; none where all are [`CONTACT_REACH`] supports away or more.
 pub fn contact(position_m: DVec3, solids: &[(Solid, Pose)], support_m: f64, plane: &BeyondPlane) -> Option<Contact> {
     let mut surfaces: Vec<(f64, usize, DVec3)> = solids
         .iter()
@@ -41,7 +42,8 @@ pub fn contact(position_m: DVec3, solids: &[(Solid, Pose)], support_m: f64, plan
         })
         .collect();
     surfaces.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (distance_m, solid, stop_normal) = *surfaces.first().filter(|surface| surface.0 < 2.0 * support_m)?;
+    let (distance_m, solid, stop_normal) =
+        *surfaces.first().filter(|surface| surface.0 < f64::from(CONTACT_REACH) * support_m)?;
     let lead_m = surfaces.get(1).map_or(f64::INFINITY, |next| next.0 - distance_m);
     let (mut left, mut slope) = (1.0, DVec3::ZERO);
     for (solid, pose) in solids {
