@@ -8,7 +8,7 @@ use brooklet_gpu::ResourceId;
 use brooklet_kernels::REACTION_WORDS;
 
 use crate::boundary::bodies::BodyBuffers;
-use crate::boundary::solids::solids_params;
+use crate::boundary::solids::unit_kg_m_s;
 use crate::scene::Scene;
 
 /// Reads them.
@@ -42,7 +42,7 @@ impl SolidForces {
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
         let of_solids = words.chunks_exact(REACTION_WORDS as usize).skip(self.bodies);
         let sums: Vec<[i64; 3]> = of_solids.map(impulse).collect();
-        let unit_kg_m_s = f64::from(solids_params(scene).unit_kg_m_s);
+        let unit_kg_m_s = unit_kg_m_s(scene);
         let grown = |(before_s, before): &(f64, Vec<[i64; 3]>)| -> Vec<[f64; 3]> {
             let per_s = if time_s > *before_s { unit_kg_m_s / (time_s - before_s) } else { 0.0 };
             let force_n = |(now, before): (&[i64; 3], &[i64; 3])| {
@@ -70,7 +70,7 @@ mod tests {
         let text = "spacing_m = 0.1\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n\
             [[solid]]\nsphere = { radius_m = 0.3 }\ncentre_m = [0.5, 0.5, 0.5]\nmeasure_force = true\n";
         let scene = Scene::from_toml(text, "ball", &[]).unwrap();
-        let unit = f64::from(solids_params(&scene).unit_kg_m_s);
+        let unit = unit_kg_m_s(&scene);
         let mut forces = SolidForces { reactions: ResourceId(0), bodies: 1, last: Some((0.0, vec![[0; 3]])) };
         let bytes = |sums: [i64; 3]| {
             let words = sums.into_iter().flat_map(|sum| [sum as u32, (sum >> 32) as u32]);

@@ -114,10 +114,10 @@ impl Recorded {
         self.measure.as_ref().map(|measure| measure.output.id)
     }
 
-    /// What a measurement reads back: that, and reactions of solids whose force is measured.
+    /// What is read back of a scene: its measurement, and the reactions of solids whose force is measured.
     pub fn measured_ids(&self) -> Vec<ResourceId> {
         let forces = self.bodies.as_ref().filter(|bodies| bodies.reactions.len > bodies.count * REACTION_WORDS);
-        self.measure_id().into_iter().flat_map(|id| [id].into_iter().chain(forces.map(|of| of.reactions.id))).collect()
+        self.measure_id().into_iter().chain(forces.map(|of| of.reactions.id)).collect()
     }
 
     /// Waits, and copies the particles to the host, in cell order: to save them, or to carry them over

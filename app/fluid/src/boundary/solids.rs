@@ -50,7 +50,6 @@ pub fn solids_params(scene: &Scene) -> SolidsParams {
     let block_m: [f64; 3] = std::array::from_fn(|axis| size_m[axis] / blocks[axis]);
     // Whom a substep may bring to a surface, and whom its iterations may.
     let path_m = (scene.max_speed_m_s() * scene.substep_s()).min(2.0 * longest_m);
-    let units_per_m_s = UNITS_OF_THE_FASTEST / scene.max_speed_m_s().min(FAST_M_S);
     let has_reactions = reaction_count(scene) > 0;
     SolidsParams {
         blocks: blocks.map(|blocks| blocks as u32),
@@ -61,9 +60,18 @@ pub fn solids_params(scene: &Scene) -> SolidsParams {
         stop_m: scene.wall_offset_m() as f32,
         body_count: body_count(scene),
         point_count: surface_point_count(scene),
-        units_per_m_s: if has_reactions { units_per_m_s as f32 } else { 0.0 },
-        unit_kg_m_s: (scene.particle_mass_kg() / units_per_m_s) as f32,
+        units_per_m_s: if has_reactions { units_per_m_s(scene) as f32 } else { 0.0 },
+        unit_kg_m_s: unit_kg_m_s(scene) as f32,
     }
+}
+
+fn units_per_m_s(scene: &Scene) -> f64 {
+    UNITS_OF_THE_FASTEST / scene.max_speed_m_s().min(FAST_M_S)
+}
+
+/// The impulse that is one of a reaction's units, kg m/s.
+pub(crate) fn unit_kg_m_s(scene: &Scene) -> f64 {
+    scene.particle_mass_kg() / units_per_m_s(scene)
 }
 
 impl Solids {

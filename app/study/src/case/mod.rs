@@ -15,6 +15,7 @@ mod square_patch;
 mod standing_wave;
 mod taylor_green;
 mod waiting;
+mod wall_pressure;
 
 pub use capillary_drop::CapillaryDrop;
 pub use channel::{COUETTE, POISEUILLE};
@@ -29,6 +30,7 @@ pub use square_patch::SquarePatch;
 pub use standing_wave::StandingWave;
 pub use taylor_green::{TAYLOR_GREEN, TAYLOR_GREEN_JITTERED};
 pub use waiting::{WAITING, Waiting};
+pub use wall_pressure::WallPressure;
 
 use serde::{Deserialize, Serialize};
 
@@ -114,6 +116,7 @@ pub const CASES: &[&dyn Case] = &[
     &SQUARE_COLUMN,
     &Gauges,
     &Sloshing,
+    &WallPressure,
     &ColumnCollapse,
 ];
 

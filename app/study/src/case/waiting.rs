@@ -13,8 +13,4 @@ pub struct Waiting {
 pub const WAITING: &[Waiting] = &[
     Waiting { name: "taylor-green at Re = 100", needs: "its case: of the solvers SPH has a viscosity in m²/s" },
     Waiting { name: "standing-wave decay", needs: "its case: of the solvers SPH has a viscosity in m²/s" },
-    Waiting {
-        name: "hydrostatic pressure",
-        needs: "its case: SPH and DFSPH have a pressure; PBF has lambdas, held against the column law",
-    },
 ];
