@@ -179,6 +179,23 @@ fn json_is_all_there_is_on_standard_output() {
     assert!(doctor.as_array().unwrap().iter().any(|device| device["tier"].is_string()), "{doctor}");
 }
 
+/// Water on a plate bears on it, and the capture says with how much; a scene without such a solid has no such field.
+#[test]
+fn a_capture_tells_what_pushes_a_solid() {
+    let workshop = Workshop::new();
+    let plate = "solid=[{ box = { size_m = [9, 0.1, 9] }, centre_m = [1.2, 2, 3.2], measure_force = true }]";
+    let told = |settings: &[&str], out: &str| {
+        let run = ["run", "scene.toml", "--steps", "24", "--images", "0", "--out", out];
+        workshop.succeed(&[&run[..], settings].concat());
+        Capture::open(&workshop.path(&format!("{out}/capture.mcap"))).unwrap()
+    };
+    let with = told(&["--set", plate], "with");
+    let forces_n: Vec<f64> = with.stats.iter().map(|row| row.values["solid_0_force_y_n"]).collect();
+    assert!(forces_n.iter().any(|force_n| *force_n < -1.0) && forces_n.iter().all(|n| *n < 1.0), "{forces_n:?}");
+    let without = told(&[], "without");
+    assert!(without.stat_fields.iter().all(|field| !field.name.contains("force")), "{:?}", without.stat_fields);
+}
+
 #[test]
 fn what_is_not_wanted_leaves_nothing_behind() {
     let workshop = Workshop::new();
