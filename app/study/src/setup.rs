@@ -73,8 +73,7 @@ impl Setup {
             time_s: 0.0,
             positions_m: self.particles.positions.iter().map(position_m).collect(),
             velocities_m_s: self.particles.velocities.iter().map(velocity_m_s).collect(),
-            unsound: 0,
-            forces: Vec::new(),
+            ..Sample::default()
         }
     }
 

@@ -46,8 +46,6 @@ pub struct GpuRun {
     pub bytes: u64,
     /// Whether it was stopped early.
     pub stopped: bool,
-    /// What pushed solids in each step since the last sample.
-    pub(crate) forces: Vec<Force>,
 }
 
 /// A measurement, and when.
@@ -82,7 +80,7 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Se
     let mut session = Session::start(gpu, planned)?;
     session.finish()?;
     let (count, dt_s) = (setup.count(), scene.solver.dt_s);
-    let mut done = 0;
+    let (mut done, mut forces) = (0, Vec::new());
     for due in setup.sample_steps() {
         while done < due {
             if (options.stop)() {
@@ -92,34 +90,34 @@ pub fn run(gpu: &Gpu, setup: &Setup, options: &Options<'_>) -> Result<GpuRun, Se
             let begun = std::time::Instant::now();
             session.submit(&FrameRequest { steps: 1, forces: true, ..FrameRequest::default() })?;
             if gpu.timing().is_measured() {
-                run.keep(&session.reports(), step);
+                let reports = session.reports();
+                forces.extend(reports.iter().filter_map(force));
+                run.keep(&reports, step);
             } else {
-                session.finish()?;
+                forces.extend(session.finish()?.iter().filter_map(force));
                 run.gpu_clock = false;
                 run.step_ms.push(begun.elapsed().as_secs_f64() * 1e3);
             }
             done += 1;
             (options.progress)(done);
         }
-        run.keep(&session.finish()?, step);
+        let reports = session.finish()?;
+        forces.extend(reports.iter().filter_map(force));
+        run.keep(&reports, step);
         session.measure()?;
         let time_s = due as f64 * dt_s;
         let measured = session.finish()?.into_iter().filter_map(|frame| frame.stats);
         run.measured.extend(measured.map(|stats| Measured { time_s, stats }));
         let particles = session.read_particles()?;
         let found = sample(time_s, &particles.positions, &particles.velocities, count);
-        run.samples.push(Sample { forces: std::mem::take(&mut run.forces), ..found });
+        run.samples.push(Sample { forces: std::mem::take(&mut forces), ..found });
     }
     Ok(run)
 }
 
 impl GpuRun {
     fn keep(&mut self, reports: &[SessionReport], step: RecordingId) {
-        for SessionReport { report, simulated_s, forces_n, .. } in reports {
-            if !forces_n.is_empty() {
-                let on_solids_n = forces_n.iter().copied().map(DVec3::from_array).collect();
-                self.forces.push(Force { time_s: *simulated_s, on_solids_n });
-            }
+        for SessionReport { report, .. } in reports {
             let spans = || report.spans.iter().filter(|span| span.recording == step);
             let begin = spans().map(|span| span.begin_ticks).min();
             let end = spans().map(|span| span.end_ticks).max();
@@ -152,6 +150,12 @@ impl GpuRun {
     }
 }
 
+/// What pushed solids in a step; none of a frame that read nothing of it.
+fn force(report: &SessionReport) -> Option<Force> {
+    let on_solids_n: Vec<DVec3> = report.forces_n.iter().copied().map(DVec3::from_array).collect();
+    (!on_solids_n.is_empty()).then_some(Force { time_s: report.simulated_s, on_solids_n })
+}
+
 /// Sorts what the GPU gave by id, and counts what is not as it should be.
 fn sample(time_s: f64, positions: &[Position], velocities: &[Velocity], count: usize) -> Sample {
     let mut found = Sample {
@@ -159,7 +163,7 @@ fn sample(time_s: f64, positions: &[Position], velocities: &[Velocity], count: u
         positions_m: vec![DVec3::NAN; count],
         velocities_m_s: vec![DVec3::NAN; count],
         unsound: positions.len().abs_diff(count),
-        forces: Vec::new(),
+        ..Sample::default()
     };
     for (position, velocity) in positions.iter().zip(velocities) {
         let id = id_of(position.tag) as usize;

@@ -214,7 +214,7 @@ pub fn run_reference(setup: &Setup, stop: &dyn Fn() -> bool) -> Option<Vec<Sampl
             positions_m: fluid.particles.iter().map(|p| p.position_m).collect(),
             velocities_m_s: fluid.particles.iter().map(|p| p.velocity_m_s).collect(),
             unsound: fluid.particles.iter().filter(|p| p.quarantined).count(),
-            forces: Vec::new(),
+            ..Sample::default()
         });
     }
     Some(samples)
@@ -342,8 +342,7 @@ impl From<KeptSample> for Sample {
             time_s: kept.time_s,
             positions_m: vectors(kept.positions_m),
             velocities_m_s: vectors(kept.velocities_m_s),
-            unsound: 0,
-            forces: Vec::new(),
+            ..Self::default()
         }
     }
 }

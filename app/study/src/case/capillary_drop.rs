@@ -173,13 +173,7 @@ mod tests {
             let a = STRETCH * (-damping_per_s * time_s).exp() * (2.0 * PI * time_s / period_s).cos();
             let scale = DVec3::new((a - STRETCH.ln_1p()).exp(), (STRETCH.ln_1p() - a).exp(), 1.0);
             let positions_m: Vec<DVec3> = start.iter().map(|at| half_m + (*at - half_m) * scale).collect();
-            Sample {
-                time_s,
-                velocities_m_s: vec![DVec3::ZERO; start.len()],
-                positions_m,
-                unsound: 0,
-                forces: Vec::new(),
-            }
+            Sample { time_s, velocities_m_s: vec![DVec3::ZERO; start.len()], positions_m, ..Sample::default() }
         };
         setup.sample_times_s.iter().map(sample).collect()
     }

@@ -210,8 +210,7 @@ mod tests {
                 .map(|at| DVec3::X * channel.exact_m_s(at.y / HEIGHT_M, time_s, viscosity_m2_s))
                 .collect(),
             positions_m: positions_m.clone(),
-            unsound: 0,
-            forces: Vec::new(),
+            ..Sample::default()
         };
         let samples = setup.sample_times_s.iter().map(sample).collect();
         (setup, samples)

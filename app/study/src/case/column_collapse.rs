@@ -122,8 +122,7 @@ mod tests {
                         .map(|p| *p * glam::DVec3::new(1.0 + pace * time_s, 1.0 - 0.5 * pace * time_s, 1.0))
                         .collect(),
                     velocities_m_s: vec![glam::DVec3::new(pace, 0.0, 0.0); at.len()],
-                    unsound: 0,
-                    forces: Vec::new(),
+                    ..Sample::default()
                 })
                 .collect()
         };

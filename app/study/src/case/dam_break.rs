@@ -218,13 +218,7 @@ mod tests {
                         let x = value(&front, t) * case.base_m - half_m;
                         let y = value(&height, tau) * case.base_m * case.bases_high - half_m;
                         let positions_m = vec![DVec3::new(x, 0.0, 0.0), DVec3::new(0.0, y, 0.0)];
-                        Sample {
-                            time_s,
-                            positions_m,
-                            velocities_m_s: vec![DVec3::ZERO; 2],
-                            unsound: 0,
-                            forces: Vec::new(),
-                        }
+                        Sample { time_s, positions_m, velocities_m_s: vec![DVec3::ZERO; 2], ..Sample::default() }
                     })
                     .collect()
             };

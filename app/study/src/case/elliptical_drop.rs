@@ -173,7 +173,7 @@ mod tests {
                     let positions_m: Vec<DVec3> = setup.particles.positions.iter().map(at).collect();
                     let velocity = |at: &DVec3| DVec3::new(-(at.x - middle.x), at.y - middle.y, 0.0) * rate;
                     let velocities_m_s = positions_m.iter().map(velocity).collect();
-                    Sample { time_s, positions_m, velocities_m_s, unsound: 0, forces: Vec::new() }
+                    Sample { time_s, positions_m, velocities_m_s, ..Sample::default() }
                 })
                 .collect()
         };

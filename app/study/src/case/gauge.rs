@@ -151,8 +151,7 @@ mod tests {
                         time_s,
                         velocities_m_s: vec![DVec3::ZERO; positions_m.len()],
                         positions_m,
-                        unsound: 0,
-                        forces: Vec::new(),
+                        ..Sample::default()
                     }
                 })
                 .collect()

@@ -20,7 +20,7 @@ const SLICE: f64 = 4.0;
 const ROLL_DEG: f64 = 4.0;
 /// .85 of the first sloshing period, 1.917 s.
 const PERIOD_S: f64 = 0.85 * 1.917;
-/// Keyframes of a period, between which it turns evenly: a 200th of the roll off at most.
+/// Keyframes of a period, between which it turns evenly: a 800th of the roll off at most.
 const KEYFRAMES: u32 = 64;
 const DT_S: f64 = 1.0 / 480.0;
 /// What a pressure is averaged over, s: water at 2 m/s passes a spacing in it.
@@ -142,8 +142,8 @@ impl Case for Sloshing {
         let found = peaks(&pressures(setup, samples));
         let off = |((_, mbar), (mean, deviation)): (&(f64, f64), &(f64, f64))| (mbar - mean) / deviation;
         let offs: Vec<f64> = found.iter().zip(&PEAKS_MBAR).map(off).collect();
-        let complete = if offs.len() == PEAKS_MBAR.len() { 1.0 } else { f64::NAN };
-        let rms = complete * (offs.iter().map(|off| off * off).sum::<f64>() / offs.len() as f64).sqrt();
+        let mean_square = || offs.iter().map(|off| off * off).sum::<f64>() / offs.len() as f64;
+        let rms = if offs.len() == PEAKS_MBAR.len() { mean_square().sqrt() } else { f64::NAN };
         let judged = Figure::judged(
             "peaks off",
             rms,

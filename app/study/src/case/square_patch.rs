@@ -120,7 +120,7 @@ mod tests {
         let setup = SquarePatch.setup(&[]).unwrap();
         let positions_m: Vec<DVec3> = setup.particles.positions.iter().map(crate::setup::position_m).collect();
         let velocities_m_s: Vec<DVec3> = setup.particles.velocities.iter().map(crate::setup::velocity_m_s).collect();
-        let right = Sample { time_s: 1.0, positions_m, velocities_m_s, unsound: 0, forces: Vec::new() };
+        let right = Sample { time_s: 1.0, positions_m, velocities_m_s, ..Sample::default() };
         let of = |sample: &Sample| -> Vec<f64> {
             let figures = SquarePatch.figures(&setup, std::slice::from_ref(sample), &|_| None).unwrap();
             figures.iter().map(|figure| figure.value.unwrap()).collect()

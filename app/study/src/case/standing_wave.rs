@@ -181,7 +181,7 @@ mod tests {
                         DVec3::new(x + dx, y + scale * (k * x).cos() * (k * y).sinh(), 0.0)
                     })
                     .collect();
-                Sample { time_s, velocities_m_s: vec![DVec3::ZERO; 800], positions_m, unsound: 0, forces: Vec::new() }
+                Sample { time_s, velocities_m_s: vec![DVec3::ZERO; 800], positions_m, ..Sample::default() }
             })
             .collect()
     }

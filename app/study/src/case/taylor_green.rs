@@ -127,13 +127,8 @@ mod tests {
         let of = |factor: f64| {
             let velocities_m_s =
                 setup.particles.velocities.iter().map(|v| factor * crate::setup::velocity_m_s(v)).collect();
-            let sample = Sample {
-                time_s: END_S,
-                positions_m: positions_m.clone(),
-                velocities_m_s,
-                unsound: 0,
-                forces: Vec::new(),
-            };
+            let sample =
+                Sample { time_s: END_S, positions_m: positions_m.clone(), velocities_m_s, ..Sample::default() };
             let figures = TAYLOR_GREEN.figures(&setup, &[sample], &|_| None).unwrap();
             (figures[0].value.unwrap(), figures[2].value.unwrap())
         };
