@@ -25,3 +25,8 @@ impl BodyMotion {
         Self { states, reactions: vec![0; words] }
     }
 }
+
+/// The sums of one reaction's [`REACTION_WORDS`] words: an impulse and its moment, in units (`boundary/bodies/layout.hlsli`).
+pub fn reaction_sums(words: &[u32]) -> [i64; 6] {
+    std::array::from_fn(|k| i64::from(words[2 * k]) | i64::from(words[2 * k + 1] as i32) << 32)
+}

@@ -29,7 +29,7 @@ mod step;
 mod step_context;
 mod step_params;
 
-pub use body_motion::BodyMotion;
+pub use body_motion::{BodyMotion, reaction_sums};
 pub use measure::Stats;
 pub use particles::buffers::Particles;
 pub use scene::{Scene, SceneError, shipped_scenes};

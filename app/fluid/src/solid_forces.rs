@@ -7,6 +7,7 @@
 use brooklet_gpu::ResourceId;
 use brooklet_kernels::REACTION_WORDS;
 
+use crate::body_motion::reaction_sums;
 use crate::boundary::bodies::BodyBuffers;
 use crate::boundary::solids::unit_kg_m_s;
 use crate::scene::Scene;
@@ -24,11 +25,11 @@ impl SolidForces {
     /// Of a session that begins at a time; none where no force is measured.
     pub fn of(bodies: Option<&BodyBuffers>, begin_s: f64) -> Option<Self> {
         let bodies = bodies?;
-        let measured = (bodies.reactions.len / REACTION_WORDS - bodies.count) as usize;
+        let measured = bodies.measured();
         (measured > 0).then(|| Self {
             reactions: bodies.reactions.id,
             bodies: bodies.count as usize,
-            last: Some((begin_s, vec![[0; 3]; measured])),
+            last: Some((begin_s, vec![[0; 3]; measured as usize])),
         })
     }
 
@@ -41,7 +42,8 @@ impl SolidForces {
     pub fn take(&mut self, bytes: &[u8], scene: &Scene, time_s: f64) -> Vec<[f64; 3]> {
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
         let of_solids = words.chunks_exact(REACTION_WORDS as usize).skip(self.bodies);
-        let sums: Vec<[i64; 3]> = of_solids.map(impulse).collect();
+        let impulse = |[x, y, z, ..]: [i64; 6]| [x, y, z];
+        let sums: Vec<[i64; 3]> = of_solids.map(reaction_sums).map(impulse).collect();
         let unit_kg_m_s = unit_kg_m_s(scene);
         let grown = |(before_s, before): &(f64, Vec<[i64; 3]>)| -> Vec<[f64; 3]> {
             let per_s = if time_s > *before_s { unit_kg_m_s / (time_s - before_s) } else { 0.0 };
@@ -54,11 +56,6 @@ impl SolidForces {
         self.last = Some((time_s, sums));
         forces_n
     }
-}
-
-/// The impulse of one reaction, in units of its sums: 64 bits a component, low words first.
-fn impulse(words: &[u32]) -> [i64; 3] {
-    std::array::from_fn(|axis| i64::from(words[2 * axis]) | i64::from(words[2 * axis + 1] as i32) << 32)
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use brooklet_gpu::{Engine, GpuError, Plan, Recording, RecordingId, Resources};
 use brooklet_kernels::{
-    Buffer, Counters, EmitterState, Measure, PbfParams, Position, REACTION_WORDS, ResourceId, SolidPose, SolidsParams,
-    StepParams, Velocity, WarmStart,
+    Buffer, Counters, EmitterState, Measure, PbfParams, Position, ResourceId, SolidPose, SolidsParams, StepParams,
+    Velocity, WarmStart,
 };
 
 use crate::body_motion::BodyMotion;
@@ -116,7 +116,7 @@ impl Recorded {
 
     /// What is read back of a scene: its measurement, and the reactions of solids whose force is measured.
     pub fn measured_ids(&self) -> Vec<ResourceId> {
-        let forces = self.bodies.as_ref().filter(|bodies| bodies.reactions.len > bodies.count * REACTION_WORDS);
+        let forces = self.bodies.as_ref().filter(|bodies| bodies.measured() > 0);
         self.measure_id().into_iter().chain(forces.map(|of| of.reactions.id)).collect()
     }
 

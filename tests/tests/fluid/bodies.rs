@@ -3,7 +3,7 @@
 
 use brooklet_fluid::scene::body_mass_kg;
 use brooklet_fluid::state::State;
-use brooklet_fluid::{BodyMotion, ParticleSource, Scene, Session, SessionRecorder};
+use brooklet_fluid::{BodyMotion, ParticleSource, Scene, Session, SessionRecorder, reaction_sums};
 use brooklet_tests::afloat::{FLAT_BOX, SHALLOW_M, draft_m, floating};
 use brooklet_tests::{gpu, small};
 use glam::{DQuat, DVec3};
@@ -62,9 +62,8 @@ fn momentum_goes_from_fluid_to_body_in_free_space() {
             let state = bodies.states[0];
             // What the fluid gave and the body has not taken yet counts as well.
             let unit_kg_m_s = brooklet_fluid::boundary::solids::solids_params(&scene).unit_kg_m_s;
-            let word =
-                |k: usize| i64::from(bodies.reactions[2 * k]) | i64::from(bodies.reactions[2 * k + 1] as i32) << 32;
-            let given = DVec3::from_array(std::array::from_fn(|k| word(k) as f64 * f64::from(unit_kg_m_s)));
+            let sums = reaction_sums(&bodies.reactions);
+            let given = DVec3::from_array(std::array::from_fn(|k| sums[k] as f64 * f64::from(unit_kg_m_s)));
             let body = mass_kg * vector(state.velocity_m_s) + vector(state.owed_kg_m_s) + given;
             (DVec3::from_array(stats.momentum_kg_m_s), body)
         };

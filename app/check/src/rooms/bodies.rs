@@ -7,9 +7,9 @@ use crate::compare::{ROUNDING, Worst, vector};
 use crate::device::Device;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, Wrong, ensure, ensure_eq};
-use brooklet_fluid::Scene;
 use brooklet_fluid::boundary::solids::solids_params;
 use brooklet_fluid::scene::{bodies, field_nodes, first_body_states, solids, surface_points};
+use brooklet_fluid::{Scene, reaction_sums};
 use brooklet_kernels::{
     BodyContact, BodyState, CONTACTS_PER_POINT, FindContacts, GatherReactions, Kernel as _, NO_BODY, Position,
     REACTION_WORDS, RigidBody, Solid, SolidContact, SolidPose, SolidsParams, StepBodies, StepParams, SurfacePoint,
@@ -304,8 +304,7 @@ fn words(sums: [i64; 6], pushes: u32) -> Vec<u32> {
 
 /// The sums of a reaction, in units, and how many pushes.
 pub(super) fn sums_of(words: &[u32]) -> ([i64; 6], u32) {
-    let sum = |k: usize| i64::from(words[2 * k]) | i64::from(words[2 * k + 1] as i32) << 32;
-    (std::array::from_fn(sum), words[12])
+    (reaction_sums(words), words[12])
 }
 
 /// Velocities are sums of up to 16 iterations' contacts, rounded to 1e-6 m/s each.

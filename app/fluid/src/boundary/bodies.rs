@@ -35,6 +35,11 @@ pub struct BodyBuffers {
 }
 
 impl BodyBuffers {
+    /// How many solids there are whose force is measured.
+    pub(crate) fn measured(&self) -> u32 {
+        self.states.len - self.count
+    }
+
     /// The same, for another owner.
     pub(crate) fn alias(&self) -> Self {
         Self {

@@ -4,15 +4,19 @@ use brooklet_kernels::NO_BODY;
 
 use super::Scene;
 
-/// How many of the solids are bodies.
-pub fn body_count(scene: &Scene) -> u32 {
-    scene.solids.iter().filter(|solid| solid.density_kg_m3.is_some()).count() as u32
+/// The solids that are bodies, by their places among all.
+fn body_places(scene: &Scene) -> impl Iterator<Item = usize> {
+    (0..scene.solids.len()).filter(|&index| scene.solids[index].density_kg_m3.is_some())
 }
 
-/// The solids whose force is measured, by their places among all.
+/// The solids whose force is measured, likewise; none is a body.
 pub fn measured_solids(scene: &Scene) -> impl Iterator<Item = usize> {
-    let solids = scene.solids.iter().enumerate();
-    solids.filter(|(_, solid)| solid.measure_force && solid.density_kg_m3.is_none()).map(|(index, _)| index)
+    (0..scene.solids.len()).filter(|&index| scene.solids[index].measure_force)
+}
+
+/// How many of the solids are bodies.
+pub fn body_count(scene: &Scene) -> u32 {
+    body_places(scene).count() as u32
 }
 
 /// How many of the solids have a reaction.
@@ -23,8 +27,7 @@ pub fn reaction_count(scene: &Scene) -> u32 {
 /// Each solid's place among the reactions, or that it has none ([`NO_BODY`]).
 pub(super) fn reaction_places(scene: &Scene) -> Vec<u32> {
     let mut places = vec![NO_BODY; scene.solids.len()];
-    let bodies = (0..scene.solids.len()).filter(|&index| scene.solids[index].density_kg_m3.is_some());
-    for (place, index) in (0..).zip(bodies.chain(measured_solids(scene))) {
+    for (place, index) in (0..).zip(body_places(scene).chain(measured_solids(scene))) {
         places[index] = place;
     }
     places
