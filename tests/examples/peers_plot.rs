@@ -1,6 +1,6 @@
 //! Compression against time on the workload of the peers, with and without what accelerates the iterations, as an SVG.
-//! Argument: the file. Times are ratios to plain Jacobi with four iterations: medians of turns in which both run, one after
-//! the other.
+//! Argument: the file. Times are those of a simulated second, as ratios to plain Jacobi's with four iterations: medians of
+//! turns in which both run, one after the other.
 //!
 //! `cargo run --release -p brooklet-tests --example peers_plot -- peers.svg`
 
@@ -17,12 +17,25 @@ const STEPS: u64 = 48;
 const WARM_UP: u64 = 24;
 /// A machine that others load gives ratios that differ by a third from turn to turn.
 const TURNS: usize = 3;
-/// Name of a curve, what sets it, iterations along it.
-const CURVES: [(&str, &[&str], &[u32]); 3] = [
-    ("plain Jacobi", &["solver.pbf.acceleration=none", "solver.pbf.coarse_correction=false"], &[2, 4, 8]),
-    ("with momentum", &["solver.pbf.coarse_correction=false"], &[3, 4, 8]),
-    ("and coarse correction", &[], &[2, 3, 4, 8]),
+/// Steps a second where a point says nothing else: the peers'.
+const STEPS_A_SECOND: f64 = 240.0;
+/// Name of a curve, what sets it, and along it steps a second and iterations.
+type Curve = (&'static str, &'static [&'static str], &'static [(f64, u32)]);
+const CURVES: [Curve; 4] = [
+    ("plain Jacobi", PLAIN, &[(STEPS_A_SECOND, 2), (STEPS_A_SECOND, 4), (STEPS_A_SECOND, 8)]),
+    (
+        "with momentum",
+        &["solver.pbf.coarse_correction=false"],
+        &[(STEPS_A_SECOND, 3), (STEPS_A_SECOND, 4), (STEPS_A_SECOND, 8)],
+    ),
+    (
+        "and coarse correction",
+        &[],
+        &[(STEPS_A_SECOND, 2), (STEPS_A_SECOND, 3), (STEPS_A_SECOND, 4), (STEPS_A_SECOND, 8)],
+    ),
+    ("and longer steps: 2 at 200/s, 3 at 160/s, 4 at 120/s", &[], &[(200.0, 2), (160.0, 3), (120.0, 4)]),
 ];
+const PLAIN: &[&str] = &["solver.pbf.acceleration=none", "solver.pbf.coarse_correction=false"];
 /// Other programs on this workload with 4 iterations, their own if not PBF: time over plain Brooklet's in one run of both,
 /// mean compression by the same yardstick. Measured on two CPU cores, 2026-11-26.
 const OTHERS: [(&str, f64, f64); 4] = [
@@ -48,15 +61,18 @@ fn main() -> ExitCode {
 }
 
 fn plot() -> Result<String, String> {
-    let plain = scene(&["solver.pbf.acceleration=none", "solver.pbf.coarse_correction=false"], 4)?;
+    let plain = scene(PLAIN, (STEPS_A_SECOND, 4))?;
     let mut lines = Vec::new();
-    for (curve, (name, settings, iterations)) in CURVES.into_iter().enumerate() {
+    for (curve, (name, settings, along)) in CURVES.into_iter().enumerate() {
         let mut points = Vec::new();
-        for &iterations in iterations {
-            let scene = scene(settings, iterations)?;
-            let ratio = time_ratio(&scene, &plain)?;
+        for &(steps_a_second, iterations) in along {
+            let scene = scene(settings, (steps_a_second, iterations))?;
+            let ratio = time_ratio(&scene, &plain)? * steps_a_second / STEPS_A_SECOND;
             let all = peers::average(&peers::run(&scene)?).all;
-            println!("{name}, {iterations}: {ratio:.2} of the time, {:.4} {:.4} {:.4}", all.mean, all.p99, all.max);
+            println!(
+                "{name}, {iterations} at {steps_a_second}/s: {ratio:.2} of the time, {:.4} {:.4} {:.4}",
+                all.mean, all.p99, all.max
+            );
             points.push((ratio, 100.0 * all.mean));
         }
         lines.push(Line { name: name.into(), color: PALETTE[curve], mark: Mark::LineDots, points });
@@ -67,7 +83,7 @@ fn plot() -> Result<String, String> {
     }
     let plot = Plot {
         title: "a block of water collapses, 31k particles: what its compression costs".into(),
-        x: "time of a step, over that of four plain iterations".into(),
+        x: "time of a simulated second, over that of 240 steps of four plain iterations".into(),
         y: "mean compression, %".into(),
         log_x: false,
         log_y: true,
@@ -77,9 +93,13 @@ fn plot() -> Result<String, String> {
     Ok(plot.svg())
 }
 
-fn scene(settings: &[&str], iterations: u32) -> Result<Scene, String> {
+fn scene(settings: &[&str], (steps_a_second, iterations): (f64, u32)) -> Result<Scene, String> {
     let mut settings: Vec<String> = settings.iter().map(ToString::to_string).collect();
-    settings.extend([format!("solver.pbf.iterations={iterations}"), "forces.xsph=0".into()]);
+    settings.extend([
+        format!("solver.dt_s={}", 1.0 / steps_a_second),
+        format!("solver.pbf.iterations={iterations}"),
+        "forces.xsph=0".into(),
+    ]);
     peers::scene(SPACING_M, &settings)
 }
 
