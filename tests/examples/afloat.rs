@@ -1,11 +1,14 @@
 //! How bodies float: drafts by density, spacing and solver; a prism that turns on its edge; a ball as heavy as water.
-//! `cargo run --release --example afloat -- drafts|prism|neutral [METHOD ...] [density=KG_M3 ...] [spacing_m=M ...]`
+//! `cargo run --release --example afloat -- drafts|prism|neutral [METHOD ...] [density=KG_M3 ...] [spacing_m=M ...]
+//! [jitter=SPACINGS] [SECTION.FIELD=VALUE ...]`: settings of the scene, and by how much its particles are moved at random before
+//! they begin, so that no lattice is in a body's way.
 
 use brooklet_fluid::{Scene, Session};
 use brooklet_kernels::BodyState;
 use brooklet_tests::afloat::{
     DEEP_M, FLAT_BOX, HEIGHT_M, draft_below_surface_m, draft_m, floating, neutral, prism, turned_around_z_deg,
 };
+use rand::RngExt;
 
 const SPACINGS_M: [f64; 2] = [0.025, 0.4 / 24.0];
 const DENSITIES_KG_M3: [f64; 5] = [200.0, 350.0, 500.0, 700.0, 900.0];
@@ -16,15 +19,50 @@ fn main() {
     let named: Vec<&str> = methods.iter().map(String::as_str).filter(|method| !method.contains('=')).collect();
     let methods = if named.is_empty() { vec!["pbf", "sph", "dfsph"] } else { named };
     let densities_kg_m3 = chosen(&arguments, "density=", &DENSITIES_KG_M3);
+    let start = Start {
+        settings: arguments
+            .iter()
+            .filter(|given| given.split('=').next().is_some_and(|path| path.contains('.')))
+            .cloned()
+            .collect(),
+        jitter: chosen(&arguments, "jitter=", &[0.0])[0],
+    };
     for method in methods {
         for &spacing_m in &chosen(&arguments, "spacing_m=", &SPACINGS_M) {
             match what.as_str() {
-                "drafts" => densities_kg_m3.iter().for_each(|&density| drafts(method, spacing_m, density)),
-                "prism" => turns(method, spacing_m),
-                "neutral" => drifts(method, spacing_m),
+                "drafts" => densities_kg_m3.iter().for_each(|&density| drafts(method, spacing_m, density, &start)),
+                "prism" => turns(method, spacing_m, &start),
+                "neutral" => drifts(method, spacing_m, &start),
                 other => panic!("{other}: drafts, prism or neutral"),
             }
         }
+    }
+}
+
+/// What differs from the scenes of `brooklet_tests::afloat`.
+struct Start {
+    settings: Vec<String>,
+    /// Furthest along each axis, in spacings.
+    jitter: f64,
+}
+
+impl Start {
+    fn set(&self, scene: Scene) -> Scene {
+        self.settings.iter().fold(scene, |scene, setting| scene.with_setting(setting).expect("a setting"))
+    }
+
+    fn shake(&self, scene: &Scene, session: &mut Session) {
+        if self.jitter == 0.0 {
+            return;
+        }
+        let mut random = brooklet_tests::rng(1);
+        let mut particles = session.read_particles().expect("a device");
+        for position in &mut particles.positions {
+            position.position_m = position
+                .position_m
+                .map(|x| x + (self.jitter * scene.spacing_m * (random.random_range(-1.0..=1.0))) as f32);
+        }
+        session.write_particles(&particles);
     }
 }
 
@@ -36,8 +74,9 @@ fn chosen(arguments: &[String], name: &str, all: &[f64]) -> Vec<f64> {
 }
 
 /// Runs a scene, and calls `visit` with the time and the session so many times a second.
-fn course(scene: &Scene, seconds: f64, times_a_second: f64, mut visit: impl FnMut(f64, &mut Session)) {
+fn course(scene: &Scene, start: &Start, seconds: f64, times_a_second: f64, mut visit: impl FnMut(f64, &mut Session)) {
     let mut session = Session::new(&brooklet_tests::gpu(), scene).expect("a device");
+    start.shake(scene, &mut session);
     let (steps, every) = ((seconds / scene.solver.dt_s) as u32, (1.0 / times_a_second / scene.solver.dt_s) as u32);
     for step in 1..=steps {
         session.step().expect("a step");
@@ -51,10 +90,10 @@ fn body(session: &mut Session) -> BodyState {
     session.read_bodies().expect("a device").states[0]
 }
 
-fn drafts(method: &str, spacing_m: f64, density_kg_m3: f64) {
-    let scene = floating(FLAT_BOX, density_kg_m3, method, spacing_m, DEEP_M);
+fn drafts(method: &str, spacing_m: f64, density_kg_m3: f64, start: &Start) {
+    let scene = start.set(floating(FLAT_BOX, density_kg_m3, method, spacing_m, DEEP_M));
     let (mut told_m, mut seen_m, mut upright) = (Vec::new(), Vec::new(), 1.0);
-    course(&scene, 2.0, 20.0, |time_s, session| {
+    course(&scene, start, 2.0, 20.0, |time_s, session| {
         let state = body(session);
         upright = state.rotation[3].abs();
         if time_s > 1.0 {
@@ -79,15 +118,15 @@ fn drafts(method: &str, spacing_m: f64, density_kg_m3: f64) {
     );
 }
 
-fn turns(method: &str, spacing_m: f64) {
-    course(&prism(method, spacing_m), 8.0, 1.0, |time_s, session| {
+fn turns(method: &str, spacing_m: f64, start: &Start) {
+    course(&start.set(prism(method, spacing_m)), start, 8.0, 1.0, |time_s, session| {
         let turned_deg = turned_around_z_deg(&body(session));
         println!("{method} {:.1} mm, {time_s:.1} s: {turned_deg:.1} degrees", 1e3 * spacing_m);
     });
 }
 
-fn drifts(method: &str, spacing_m: f64) {
-    course(&neutral(method, spacing_m), 10.0, 1.0, |time_s, session| {
+fn drifts(method: &str, spacing_m: f64, start: &Start) {
+    course(&start.set(neutral(method, spacing_m)), start, 10.0, 1.0, |time_s, session| {
         let at_m = body(session).position_m;
         let moved_m = at_m.iter().map(|x| (f64::from(*x) - 0.2).powi(2)).sum::<f64>().sqrt();
         println!(

@@ -21,7 +21,7 @@ struct BoundarySample
     float density;              // the density ratio that it adds
     float3 gradient;            // of that over the position, 1/h
     float3 correction_scale;    // what the fluid's own correction is multiplied by along each axis
-    float3 borne;               // of the fluid's weight, where its pressure goes on beyond as in fluid at rest
+    float3 borne;               // of the fluid's weight across walls, where its pressure goes on beyond as in fluid at rest
 #if defined(SOLID_WALLS)
     SolidSample solids;         // what of it is theirs
 #endif
@@ -60,12 +60,6 @@ BoundarySample SampleBoundaryNear(uint i, float3 position_m, StepParams step, Sm
 float3 ScaledPush(BoundarySample boundary, float3 push)
 {
     return AlongSolids(boundary.solids, push * boundary.correction_scale);
-}
-
-// What of an acceleration the boundary bears.
-float3 BorneOf(BoundarySample boundary, float3 acceleration_m_s2)
-{
-    return boundary.borne * acceleration_m_s2 + BorneBySolids(boundary.solids, acceleration_m_s2);
 }
 
 // The position, moved to where the boundary lets particle i be.
@@ -137,11 +131,6 @@ BoundarySample SampleBoundaryNear(uint i, float3 position_m, StepParams step, Sm
 float3 ScaledPush(BoundarySample boundary, float3 push)
 {
     return push * boundary.correction_scale;
-}
-
-float3 BorneOf(BoundarySample boundary, float3 acceleration_m_s2)
-{
-    return boundary.borne * acceleration_m_s2;
 }
 
 float3 ConfinePositionNear(uint i, float3 position_m, StepParams step)

@@ -81,12 +81,12 @@ float3 AlongWalls(WallKernelFractions walls, SmoothingKernelParams kernel)
     return 1.0 / (left.yzx * left.zxy);
 }
 
-// What walls bear of the fluid's weight along each axis: the integral of u dW/du beyond them, u from the particle, with
-// which a pressure that grows by rho g u pushes back. Along a wall that is the density beyond it, by parts; across one the
-// wall's distance times its slope besides.
+// What walls bear of the fluid's weight across them, along each axis: the integral of u dW/du beyond, u from the particle, with
+// which a pressure that grows by rho g u pushes back. By parts that is the density beyond and the wall's distance times its
+// slope.
 float3 WallBorne(WallKernelFractions walls, SmoothingKernelParams kernel)
 {
-    return WallDensity(walls, kernel) + kernel.wall_plane * walls.moment;
+    return kernel.wall_plane * (walls.share + walls.moment);
 }
 
 #endif

@@ -48,8 +48,7 @@ fn a_force_is_the_momentum_that_the_fluid_loses() {
 
 /// Water on a floor, beside a wall of two halves. All that solids bear of it is its weight, to the hundredth that sloshing leaves
 /// in the mean of half a second, and half of that across the wall, where a layer is a tenth of the height. Who stands in the
-/// corner, a tenth of the floor's layer, pushes the nearer of the two with all that both are pushed. With SPH a wall bears of the weight
-/// beside it what its share of the kernel would (`WallBorne`): the domain's three, which tell nothing, 6 % here.
+/// corner, a tenth of the floor's layer, pushes the nearer of the two with all that both are pushed.
 #[test]
 fn water_at_rest_weighs_on_its_floor_and_leans_on_its_side() {
     let text = "spacing_m = 0.02\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [0.28, 0.4, 0.2]\n\
@@ -58,7 +57,7 @@ fn water_at_rest_weighs_on_its_floor_and_leans_on_its_side() {
          [[solid]]\nbox = { size_m = [0.08, 0.1, 0.4] }\ncentre_m = [0.04, 0.11, 0.1]\nmeasure_force = true\n\
          [[solid]]\nbox = { size_m = [0.08, 0.24, 0.4] }\ncentre_m = [0.04, 0.28, 0.1]\nmeasure_force = true\n\
          [outputs]\nmeasure_every_steps = 1\n";
-    for (method, of_walls) in [("pbf", 0.0), ("sph", 0.06), ("dfsph", 0.0)] {
+    for method in ["pbf", "sph", "dfsph"] {
         let scene = Scene::from_toml(text, "rest", &[format!("solver.method={method}")]).unwrap();
         let weight_n = scene.particle_count() as f64 * scene.particle_mass_kg() * 9.81;
         let mut session = Session::new(&gpu(), &scene).unwrap();
@@ -75,11 +74,10 @@ fn water_at_rest_weighs_on_its_floor_and_leans_on_its_side() {
         let [floor, lower, upper] = [forces_n[0], forces_n[1], forces_n[2]];
         println!("{method}: floor {floor}, lower half {lower}, upper half {upper} of {weight_n} N");
         let all = floor + lower + upper;
-        let borne_n = (1.0 - of_walls) * weight_n;
-        assert!((all.y + borne_n).abs() < (0.01 + 0.5 * of_walls) * weight_n, "{method}: {all} N of {borne_n}");
+        assert!((all.y + weight_n).abs() < 0.01 * weight_n, "{method}: {all} N of {weight_n}");
         assert!((all.x + 0.5 * weight_n).abs() < 0.05 * weight_n, "{method}: {all} N of {weight_n}");
         // Of a wall as high as wide the lower half bears 3/8 of the weight, the upper 1/8.
-        assert!((floor.y + borne_n).abs() < 0.12 * weight_n, "{method}: {floor} N of {borne_n}");
+        assert!((floor.y + weight_n).abs() < 0.12 * weight_n, "{method}: {floor} N of {weight_n}");
         assert!((lower.x + 0.375 * weight_n).abs() < 0.08 * weight_n, "{method}: {lower} N of {weight_n}");
         assert!((upper.x + 0.125 * weight_n).abs() < 0.03 * weight_n, "{method}: {upper} N of {weight_n}");
         assert!(all.z.abs() < weight_n / 100.0, "{method}: {all} N");

@@ -24,8 +24,9 @@ fn channel(case: &dyn Case, spacing_m: f64) -> [f64; 2] {
 #[test]
 fn channels_start_as_their_closed_forms() {
     for case in [COUETTE, POISEUILLE] {
-        let [coarse, fine] = [0.1, 0.05].map(|spacing_m| channel(&case, spacing_m));
-        assert!(coarse[0] < 0.015 && fine[0] < coarse[0] / 1.8, "{}: {coarse:?} and {fine:?}", case.name());
+        let all @ [coarse, middle, fine] = [0.2, 0.1, 0.05].map(|spacing_m| channel(&case, spacing_m));
+        // Between two alone an error that changes its sign hides the order.
+        assert!(middle[0] < 0.015 && fine[0] < coarse[0] / (1.8 * 1.8), "{}: {all:?}", case.name());
         assert!(fine[1].abs() < 0.05, "{}: fitted viscosity off by {}", case.name(), fine[1]);
     }
 }

@@ -183,13 +183,15 @@ pub(crate) fn add_solid_acceleration_matches_its_twin(device: &Device) {
                 let (_, gradient) = solids.with_walls(&walls);
                 let pressure = f64::from(flows[i].pressure_m2_s2);
                 let push = -2.0 * pressure * per_m * (gradient - walls.gradient);
-                let supported = (pressure * f64::from(params.supported_per_m2_s2)).clamp(0.0, 1.0);
-                let borne = supported * f64::from(params.borne_scale) * solids.borne(gravity_m_s2);
-                let added = push - borne;
+                let supported =
+                    (pressure * f64::from(params.supported_per_m2_s2)).clamp(0.0, 1.0) * f64::from(params.borne_scale);
+                let by_walls =
+                    -2.0 * pressure * per_m * walls.gradient + gravity_m_s2 * (DVec3::ONE - supported * walls.borne);
+                let fluid = DVec3::new(1.0, 0.0, -1.0) - by_walls;
+                let added = push + solids.along(fluid) - fluid - supported * solids.borne(gravity_m_s2);
                 let scale_m_s2 = 20.0 * per_m + gravity_m_s2.length();
                 worst.check3([x, y, z], added + DVec3::new(1.0, 0.0, -1.0), scale_m_s2).or_raise();
-                let across = push - solids.normal * solids.normal.dot(borne);
-                let given_m_s = if taken[i].body == NO_BODY { DVec3::ZERO } else { across * f64::from(DT_S) };
+                let given_m_s = if taken[i].body == NO_BODY { DVec3::ZERO } else { added * f64::from(DT_S) };
                 worst.check3(taken[i].taken_m_s, given_m_s, scale_m_s2 * f64::from(DT_S)).or_raise();
                 let kicked = vector(velocities[i].velocity_m_s) + added * (0.5 * f64::from(DT_S));
                 let limit_m_s = f64::from(pairs.step().max_speed_m_s);

@@ -80,5 +80,5 @@ static DRAG_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/drag_walls.compute",
-    hash: "756a4ee18a1bdd46b354574eee7db664ca5a87b018a642d5d7a771da12776c00",
+    hash: "d7cc03534a6c2c485f2145a55b9939bf03e052db32a71ca2d0357e5b4185f3b6",
 };

@@ -144,7 +144,7 @@ static COLLIDE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "aa1b08db6d8f58838443c284693c85ab074e41dab90b809b280ffab6cdd4627d",
+    hash: "dd4cfe739735cc9bbb86a2aaddfb44d08e1dc06cdd15f02783dbf0f5aabaa287",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
@@ -157,5 +157,5 @@ static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "d23d6dcfc55692f30efad8a64da539ce2169ad3ad97e8e6c70009b57b57b70b8",
+    hash: "559772e3ad1a678dc26d7afde2c7edd3d30b7cd0037c1a1ac517845d37f66c0a",
 };

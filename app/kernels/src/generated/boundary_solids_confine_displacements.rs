@@ -162,7 +162,7 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "a8022e438031f410a3d6922590d6589bfbce20163408e8780872261e4186c5e2",
+    hash: "78bbfef18345f5091effabc54c968e4b031b208a8fb6e33cdce73209b69fe56d",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
@@ -175,7 +175,7 @@ static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "c7d441b7d2e20357de7688d1a6c945bb2b42a1152995ef5522d50ab422af2808",
+    hash: "57aa00e4ddaa97141d59839fc8426531bb34d9e1a6c525aefbc7e36a47f5c72e",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
@@ -188,7 +188,7 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "db484649c98c9f6097495421f948a9cb89c9bfd72abaf01fd6fbf8b19675103a",
+    hash: "a5897954d67f0726dc1bee8252c7414526c3766220d7d97d52d10821ef07c886",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
@@ -201,5 +201,5 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "e0a241f44d1b78ff4d4f29acf029a8cc7a378e17d41df72dbf69be2443634e49",
+    hash: "922898d8cc0855b9a1fa2871ada818c118bb3a4f678b514ee24edc8a8e34fb62",
 };

@@ -120,7 +120,7 @@ static ADVECT_DIFFUSE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "e6b3848fc632ba7dddf411954a812fe2dee250feda7bb57552fd305bb2c0b5b1",
+    hash: "fa31a41d134945114fd30d7f7dae7155aa662d2eadf184de19384ed9307ae5b6",
 };
 
 static ADVECT_DIFFUSE_WITH_CELL_BY_CELL: Module = Module {
@@ -133,7 +133,7 @@ static ADVECT_DIFFUSE_WITH_CELL_BY_CELL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "5e2faee6dce470afe7944203fd77cc8d7a3a11fe68b3f92269f2ebbcca334021",
+    hash: "397e09626a62db82ee257c3fd951aa3dbb5c5c6586e187ca9408aea5aa19dc5b",
 };
 
 static ADVECT_DIFFUSE_WITH_WALLS: Module = Module {
@@ -146,7 +146,7 @@ static ADVECT_DIFFUSE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "5691d5b7a5bce23d66b91fb7f2c909a694efcebe97661172e4f50444f7e1f5b5",
+    hash: "c324cf26f9bd2a5ff6e2aea1e8c2bd122bc40e6395933b10b0ec49019165c871",
 };
 
 static ADVECT_DIFFUSE_WITH_WALLS_WITH_CELL_BY_CELL: Module = Module {
@@ -159,5 +159,5 @@ static ADVECT_DIFFUSE_WITH_WALLS_WITH_CELL_BY_CELL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "b97f7690764879c3f9f68fa8c0a44ecf6cac8b6b1341b89ceba3fe0b76a9d928",
+    hash: "6c364bd67ca60f9ad84dfd46bb318297da65d3dfd9a74f78ec96e78b5305e234",
 };

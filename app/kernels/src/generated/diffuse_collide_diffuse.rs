@@ -107,5 +107,5 @@ static COLLIDE_DIFFUSE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/collide_diffuse.compute",
-    hash: "40d01bc79888ea6893300076188573163016ed5b432be1e07d13a7c3f03a1717",
+    hash: "3bb9f91601a73f2e17d97cbb30215c38e47e1491a7a486fdb8fdf3113369971f",
 };

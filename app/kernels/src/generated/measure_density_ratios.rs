@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "443fb17a651e9cbb6c4e4ab013e5fd65f5ce0daea354adbbfd71720803ad2f0e",
+    hash: "73a9a5acb3c8c26e3723b354ddc6f5a13e094c88fcb975005f3b72bdbcf7e281",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "9e4c04b48c1d11734a9bcfbc8c5f6c73d2748069ce9028953baa7c89d260fb3d",
+    hash: "e438cf84c5af92a51a868dc34b877620f1b0ce7715e770d072e813d7f0d708be",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "2a9b0ff507223e6b95bfcd7bc47c3f9ecd1f92f1e1d20fbd5feb6716cec3cd92",
+    hash: "131189d46a1267438f85692ef38615e21fc91d2af7a9ea7844ec37f55c47dd6a",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "24adb80c0d1e0fcf8c136225bc77ac5310d4873325be7e4ed1bc7b67cc0c1cdd",
+    hash: "7d51f068372f5c092b2388ed885f57b99db7dc921ea644e0dcdea4972b62b1f9",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5e40b1e40b19c9886eccfde4691d520a00d8b5bc26f49eaac5be3cc6bdcccad6",
+    hash: "68a9562709226ef31708058af116eb904ae635300b1e6ab5643e6f4d94b70041",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "260fab6d1b227228b956b779eed867602c150b41e7b7fbfc0732f3e730e21e24",
+    hash: "3d3c159530c5b149e6e3c446df27fca49e095818ff5394665b9cccf0e7d9f20b",
 };

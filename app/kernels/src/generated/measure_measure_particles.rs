@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "3d0bcf53364544c1c7dc4cd35ab41b7f743ab4e63a7df08b15ec99d7e94ee0c6",
+    hash: "ced772fe8ea413d97b096c1964cb3a6348f77646c38b3376f142af55877fa682",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "fb8b589ee27cb0d48aad78cea6186862ab6ca21b6b9aa135f27cf7b0411c8270",
+    hash: "f33124338b43caec5a66bf3d52b79242f11c423f8649937aa46101e9076d27e9",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e72fbf138fe1a95b07d28e0da64d569985ba0a415030b3ae4000928b7a86ec80",
+    hash: "ac0ea8bb152aef724228038c5d1008b66a9311995700bf8835db025f9f85f650",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "98bf1e62d7a7d86317d1c138a7654e12d83866a05efd8ed2c6047530f144758f",
+    hash: "61d3da037c4a385578ffe97ca0fc367e2a4301ba93717df85ae8fef7d18df8ec",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "4411cf0eb83e80ae6ba800a95c63399905190ade765ccdef3760eba53fe78265",
+    hash: "8e3ec40eaf76eba0dc225588c9456ddc59f06b61adff411729c03133eef58a5d",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "6ec4241f1807efc09f07f51e610ac1386614a0c851e185929deac6c8a26e7647",
+    hash: "63dd64b645ec853e953b0762002431605785bd617c5d4d2a4d39342c47dba3d1",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "e3e9e2ae2ea024e4968aed3bb1629184b3af45122e97a6beecbd84e7d7c12627",
+    hash: "b24e042ca3a74f5d8e4706f1ef2b0968573f37ab83e82d092bc8bd8a1ce3642a",
 };

@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "cbd364810065483aa7e75ae9896a0c93ec61c911c8212aedbb13a018c9b495c4",
+    hash: "68ed381aa60b9b289d49104deb6dfda52383cfaffad36d2dd6024bc2873f823f",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "c6019ae9343eb26a8f4ab3d054df3e5e17747bbe7f64721e2ddd8a97c7121a30",
+    hash: "5039d9ce95895ba425e414c17314b995ccec2fbbbc5aa0c05b3dd5280298435d",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "15f8801d551bea98329736cdc1e56f6b1adffdc3e795f04a366e36ddb8588501",
+    hash: "dd7b7d80d801fdbabda1c2bab2c0ad5af1401a51e5cc5e90d8fbeb9152571c49",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "25978bda597fc5dd05449c4ccf85f31cd253421967727d3f2287b6877fc14246",
+    hash: "4c895eae11c1f055b6eb683d8699a80dec4ab791967aed7e2f8576e71d89f924",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "9dbd1ea1d511bc81f677b6eb480fd2ba7dbea7c0e5a1204af8d1d1fc28775a43",
+    hash: "d8ca875d7d1486aa20a089dfcd108de3f55a9efd0b4d4dbb351938c303020b16",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "d257965fa88efba82e0449f6f836570251673de369d24411cf78d325499471c1",
+    hash: "7838141cd771221c0f5ba81d3efaf93429e77da224e787551bbead6115afff2f",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "b699e318f4a23f9a8a1e2c4d37c731dd7b094dac4d952803349bcc85babeed09",
+    hash: "3cd62c3dc5f636f4fcd8ff17cdb2e1ede5f96cd93e6b807084e8188a08edb912",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "e39e4d02f9b80791542377c093d979acf74875d5661788bd153a02ec7fcf5980",
+    hash: "9106277c74ef3efffe9cde1f3ee754d954a865c7994941ce05f02ef88b4f45fc",
 };

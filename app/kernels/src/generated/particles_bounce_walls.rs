@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "0b1d66b371cc29b3cbfdfe13e6a1652ad4cab8a1188a40f0da5fe2d4ad1926e0",
+    hash: "0e0b7235ad0a3d08b8b9e125c2755a569998b2a32033040ff09128bbbbf2a662",
 };

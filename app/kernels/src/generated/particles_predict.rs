@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "86830f0df69b8f39adbbdee31c214806af59b25b849e99831597f4f6209caae3",
+    hash: "395cc314c155cd89647dbcc778516d217c12b4d7b01a749c72a7bede90891da6",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "46d510a7fa24fd0365f777302b923a3ba9bddbbeffea1dd49fbd2357adf6fd51",
+    hash: "889ed1efac0438a29a018e3ef7db6fe13af978788c4eb8a74c3e05c11e7c917f",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "c5b7aebcd5e769ea4f77e8591e9943f15bff1061fe22812fe753cf9d029cc99b",
+    hash: "34ac274dae3d45b78d4e4f4fe5f338971dbbb4bea2f4245b2baa2092a42806b4",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "da185b36dd1d1de0f669ee280a00af65671733ca5896b69da79a707943ea1692",
+    hash: "da6ba0894f37e3fe40f049ea1216c18446f97b0e0ba605b41c89bb502d626a0f",
 };

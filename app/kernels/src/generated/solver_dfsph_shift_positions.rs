@@ -143,7 +143,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "ed6bbf6e7bf353410c77dca7f1a98b136637f718cc2657662cd091f059d1573d",
+    hash: "08bec28df30be1e37b935531111b8db30bfbd3a719f8153ae3a74135eb2e9720",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "2c8cebadfdb54ff95af4af8f900349ed2bc55c83a8f956c29a99fa1dffb2cd57",
+    hash: "1a36485563a38c68bdd3a5b5925544517a005f4ca9f21a7f90feec05db3f9018",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "d8d1f743d7b70ba05b57a5295c3750e83d9873abc02ec5311146e44ac4056046",
+    hash: "85f5931f93b8f7b050e73fc286ac497ec688c902c54fce1af6b20394461a4577",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "7132f00327bfd94c1aec151bd95a15cedc8c20101244428ac2d6bffc11627a6d",
+    hash: "e23b29ef55152165da30849c8bf7a983ea29c97042d589037292e4fc733621fd",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -195,7 +195,7 @@ static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "80e2103d78c926226776257534ee485cc31eda3809b5bebee2f34f9bcd99be5b",
+    hash: "778abf74ea9cbcbeb4e9455843981db7c983694dc87f530c5e969f2c3fc844e9",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -208,5 +208,5 @@ static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "d9709a78eedd408fb9871b845c9fd654b86afe791e70ad43d3715793a94bb6a7",
+    hash: "2602646ed9a20562ec81319031e6ee8bc8d7cee6b8d8c018088730dd13e28b19",
 };

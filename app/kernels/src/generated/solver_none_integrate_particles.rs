@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "01630f0ef0fc26044cd679e8482224360c3b94496e1fedcca1aef94de6d838e5",
+    hash: "03ea9d1b81f7b95855fe2e523c2c0023ffbe731b12ecfb8de3a0c40f0c9c5bee",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "d22aabeee9f7c66ea840c5aeb0c3eda812142f48117f963577accd72215e9c34",
+    hash: "bf2aaa293ea24fa6e95a4a96fe1ff36b9886f990dfd4a6e05537785f6c372265",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "4bc5b9313199e4b667eb674558e086b79e4b490698823bde81eaffd10bbbd1ab",
+    hash: "1ce46899cee0a447f0e5d9d93539f7c7afce4806b9ebd213008d5d2c19759ed8",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "ce970cf8aa5e58f53a0a16abf0ab228ec6a69e15ca4a4d1f7a9bf5d7083707a4",
+    hash: "54bff575185a3d0d6c1520073f770be3681fa087e1453747df5d158e30a9a135",
 };

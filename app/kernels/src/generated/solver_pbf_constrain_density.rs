@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6bf2ab5ee3b93268669cfb35d0757f881a29f6d3fd7058cee7041031aee35dcf",
+    hash: "8fd2b878560c013c6eaf72c08765778798dff84b2dee6c6f04e8d65fd698f37a",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d6b34595033f8b50c265e9f5d59c23895999fef7534c722b2ea23aeef1a55919",
+    hash: "e20bf4037e026f79666a18353ef84041f21bbe6f7ca7c69e481408ed3c44876e",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c21e6849b89b34d58ac7e32944d6516e7bbcd19d6b5cb5f0ad5c8aeae3361bb4",
+    hash: "c5fe7d5dfbe76042084db0e8982aa5ba41eb8164ff907eef2ad6c11c93a25f04",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f637cceaf5cce0c589912002d09cb17365eef2cadc4581fcd9204673f0f221ef",
+    hash: "37d97ba7e9ce8e9411e16dbf059b13d88163ba69cdcb8857da353d3616a3d9cc",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0f8f5aa0a47bc00d32f8c38fe6667d55d9638e1db0d698cbda41e794ea83e8b0",
+    hash: "eababce72f6bf45eea79393336d88e6d4133932bcbb57811a621b0df7b7383dc",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "08d4555b64cf58ae528e0b5aab3cd64ac6a7e5b7705339f096ab55d07467080f",
+    hash: "1766918cf051227dc3379215dcfe1f02e6026ebae0bec4eed64530e6be34b871",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f181975436a4f93a8e7d166d2c9cd338418717c76c33bc6f0736e6355ae88c9d",
+    hash: "a1459643c0c8237ee6c8ec7e628a087dc079ac480e27b525346d4756c26c39fe",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "debb005c20728928119bb79a9970691a09689452baef13c3b9cff368963ae99a",
+    hash: "324f443c94b9671adb05c0aa71a60c61296f7fba8cd7932a96478832dc76bab8",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "37c45628cd5c9719b6004bc36cd8004346c84d9cb3349e4d0354a2f73a2845c5",
+    hash: "899dd7ce91fbdf1c57016d0d4c5e18816510d75d61318461774726a0bc36a759",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fe8a8e48f1ef584d57aae1d4e910a868fc8ec316db0817cda1ffe58511388c0a",
+    hash: "798192ae24b692137d4d9e8edf0a07be7fa397eb1eab4ce158999ef435a44464",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b825eff884a3633f91643e08f2dd731969e4083cab81ed5d3ed46b19d2921676",
+    hash: "f49abfbb6c9f92785c8c279a74eb9eb87ca8ecb03d8248384ff87dd5da6c6f9d",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6cf86e47946981dba81923d24358e22e8d1535e0971c16ebd8a33f195e4268aa",
+    hash: "6fe10150cbb1673ce5cc608568005d6dc470d537e9078a5c7abedb7a41867194",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a0998276f3450ac2ff7afde949a8ada5f94b63390e481deb96a4b8bd1fc1096c",
+    hash: "e235fdaac18d8ad8cabed2b66bda50cbb42a0d714b8537b52cf8cb27079982e7",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "90433a6246ba0c5b432ce21d828cdecc6e5e5a328e948bb2058aecd35437d5f6",
+    hash: "75647be312c34d1a6bfcb57754080837448e832c38ba1e92484a41c5217ee976",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "43613ca3b503e4b496485370cf58aed5700b53452a1d65c64eb73107d4c83f39",
+    hash: "ace8a74d73e4430bab239f47d17d57461af40ff94c6166d59404490ed63a6bb9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4b9df15846bf7b99f99bd2fd04c1a526f764dd3599df16b4b10ddadf7867595e",
+    hash: "31e46d84878fa990fb263cc2f840d7310c00df96a2d9bab5aa00d1d606ba076f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a71afab62732fb5b1f362485607d171d1a6ec3598263e8a51a3957bcc9d1050d",
+    hash: "b7fd64857d63ba09b489a07cb536306bcc391608fe1251341426406d07570f39",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ede43e4c583c296a2fbf47ff82641c912bc8d7152718c5fbbb6fbf209183a519",
+    hash: "d0d07b911f1c4ad0f123dbfddcbff460f687644dad5b50ed2aa1df5e4745e72a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5b8c68ac2c8f124915a9cedcc0c81af224fbfd7fe312cd3dcf8f5afa6a0386b9",
+    hash: "98917e33de6977fa187ad90dabbd5c6361d0509d808bffd0d9f5fc518837bc9c",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a8cb0936b0a6e9041b93cab883f1d2157c35ebeb1fc361b76f1c71ec98564e69",
+    hash: "d446fae82b4a814e2139f46252bffd72e564773954e9f09bb73d336543b02a3f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a54fffd84cd44455076da6efe7be654a42976d744ff10791eb08de05d903ec0c",
+    hash: "da5276661663cf9cb1f99db5aa9a6bfa003a54ab4decb401a2413e146a93985e",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "14bbe6cc083f283c949a1d7d6c57c8eb25bdd579e09fe6268ccbeb190f573879",
+    hash: "8df4ccee6c98c318a9dea17c67419be40b3f88ce3dda92b7e49fbf951d857e35",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5b6dbdee6b3f5c618193d42fc24893e0c808c7997beacd51c60761bd60dca6c6",
+    hash: "aa3c462598188e77e0f2a7eb3b0ec58c8392601c99df3a418173dbeb7fb481e1",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e7732595717bb5235602ae11cd781e077f47bedc93b4ad4ea2888c93358641d1",
+    hash: "1ea41c099a3d15e060a34d91515649d803200d36f1fac1df26da614640e6e79d",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2c7d9b7d047c813748bb03fbdbebc423ff83433516ce7763b81ea9da026afb54",
+    hash: "aa173a8a2d2d521338fd2d5bcda7e1ee583ce2740958ed341f0b3bbd7aca761d",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1493f693665925584348cfb1a53d4051cb86f3d88bd3837c7e3ed8e116ecb30b",
+    hash: "cfacc24c3f4f65233e87ea428750cd2bc7adcb6c80ef9f0b8d42fbc34ccbd585",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d67d3d6a38f0701a7ac63fcfa515beca95d562a2b99ae1d50aa8503e10a97913",
+    hash: "1996defc6ea7f87d62eb68e24ffdb1e2034f0da88b26b3c397bda09977aa56c5",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bd61615c6c56a9e05cdab2e56eca5372bf2c42e18a3149a6703a7fc784a83f9b",
+    hash: "75362064732522bb9bb0cada13f43b3343f48afd9b98a34c40cccc0d0b1656c4",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8d90656b83f15d312fafd30e7ba6c5798148b6e42e1008dea56c032aafe1f8f4",
+    hash: "7580a7124211d1eb271caf9b3b6c4ab1f7f115b37223b114d5a6c43a7d83e4b8",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "95c8a63f53073996a1a165fb5b86dff6cf1c39024def4e61858b196a8dce840e",
+    hash: "2958b875445542e939c2d77731002d2210e51f7b998749117ca13aa0701f5363",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "101a2a6e956bbf9963f1fab08e2ef3c3d8e357db1abb4d18143231f78e28e94d",
+    hash: "a47668534cd9bb34ff952efeb8dad0df8f28be6cd008d6260cbffcdd12fcc44e",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d5392e7393bc51473a80f1964d1ff115383e54ddf3fe1bb5dfaaf1c785fd8d38",
+    hash: "de447666dce5fb739162680a02ccb32fef278cbdded06677f5aa57866115f399",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "55db010069bc1930b10fab9340b72ca7a43cc5ad53ced7528c763b3c42b4646d",
+    hash: "92c7f217908cafc70c365c4949317b5db8df2b2f9ef8d315ef901e357a0e23ea",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a59102864293c0c999277ca10fe65442b3e96979d6c2440aa35d54bc988295f7",
+    hash: "03a9fc38d141419ca0f4cfae2c3095e47a09d6abd8814ddda8f7014af13135cd",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "82f18f85fa3c6880fa278faa05db579d18cd93d1b8b8da06d2af2c4139951ed8",
+    hash: "d2202b4e59aa7cc9b9dd7fb7add53f2e14a1ed5eac59e45768d9729328a978cb",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9047c96bbd1747f0a6623a4b9a210c07af50c62da6f8c29b195f5ee4f43f111a",
+    hash: "06120f332e2d1c37f562382da2fc7ae59036af2165381a141ea6c35a390f0254",
 };

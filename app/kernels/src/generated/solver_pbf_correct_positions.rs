@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5790d959e8cde32d6d4108a49c5a63fe0513cee796c3f9618eab25578b34aecb",
+    hash: "fd581d1a0e9284ec55b3f29ce93e5440805812040663906343122853fb607d64",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6069fba8e3650885bbf264f7e909941c928c81a911d2d63cc43763ef56fc5d8b",
+    hash: "e97905af4bd6d7f32500f4e59c715b3c66e21ef37e90e514f3f54aca4d4cbba3",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ed3b73731ce9d0cd1d1be844cfab0e864c459a9ca946e9cdf1b09aa94f6057ec",
+    hash: "c9a1eae877305508d282654dd5aa592ee8e89acadc8aed04916e13790f23f06c",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1011a8a3edec5dbe2ddb6b15aac31ccc86cbdf266c15594ce4474fde7fa2e6c3",
+    hash: "b3799c9007ab1788469842ac1191df948d7044e1c13b8f126c91fcd35e4407e3",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "44ff33280f97a44f2058b7347fa2a0ee6dc4596d6b28e96c756e280846168342",
+    hash: "e5ffabe5cf0fcf9634a0e696fd740f79706b4efa6ce8a6fb02790de459755ad7",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a3e2fa27b0943d464ea6f023f083130ba2a26dcac5ca9147016b719602905ac9",
+    hash: "f1db0bdedf8334b8f4d1f3e5f54d938a895f5ec482280140792a86c554f2a061",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e6c484fcd405d500ec54525b3e2f538273a79e18d9362f27f3c84afbe8479a72",
+    hash: "954ffce996162e0261edfbe66fe451443c09ad63856ad77035c809a5b69a8c6f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2e8d02734e1d44f1d32f6847da5d7bf8fd2e9bee3b6fd27a0a81144999ab4255",
+    hash: "4ae1122b578a41f299811be4143870517069c994bd769f835ac2bce6f0aded05",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "69b7c067573dda69321dc71553059498ddd6d355d71f1705488e78b52d0320b2",
+    hash: "95ca6e40320de50826b44c918b3e31193cb1e5b5b466ab8c4e4db67bb6b0c47e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "179135c9987292fe2ac0b7f651bb3f3541ea8e255ed4ee4d6c6c2a8a57377b4c",
+    hash: "66fa276522ed2b862953a6fc4d60ba20129254a79b94e533e25c19a6edbcd269",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d687fd841698378c2fe04cc6e3a8bbf7ac98be97c261a375bf5f1d282b336d81",
+    hash: "d3368511246c7767c440bdb6e4abcb98f1b0f895249e205554f3d8abe0998695",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "9e91b1b348aab2e128b5d69b7af730211fa60fecba4b6744468c8a14116364ad",
+    hash: "6cf83cc4b568b9d1997b23ee49e015b715d7d57e2252b9ed715cb861a738776e",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ea4114bfd9a57aacbaf69264ee9edbfa76f66b2e1f2c70f95d59b3142f4bcdad",
+    hash: "14195b21a16ed6e387dd78deda076cabbace98e08afb1f4cce5a3e2e12a920e6",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "016e2bb5ec0e4d25b2f2f756a840e5e040cb1338e240f9e2d6bc9772f538838d",
+    hash: "92c86b17440995f0733fd8f321cc76c54c40cad47ef7f96762cf0141d4b33cc2",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "22ec6d4105affe9ae230208899f7e1c3e7b9c42d74f3237420ca65c255657c31",
+    hash: "6a6cb66c836eb5f986ffc3cfaf9dfadd93a10189f2fcdd3aac1928b7a67b7c0f",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "52a68dfc0a7b14ccb1812ac6fef46683b983484c33e2f9d6e9050bde403d8fd3",
+    hash: "2375b705389374bc43f71de28faaa17b480a06cb798faedda387f0e63d71387b",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "04575469e611c05b3e6ffdf382c0c5796b228470647269a4f2e2b2a4af7b1a8b",
+    hash: "ffb46e477c390a21b14c6dbd277ec6423fbe19d0caea8fddfc185875795eefe0",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f8387e077f51ac12eb725342e09e140cf0f9358ae8bd0c8e3c95eab71e0df44f",
+    hash: "b2f53062fb75955cd9302459d691ac7c887bb8c054fe0c35dbba9345164f2a9e",
 };

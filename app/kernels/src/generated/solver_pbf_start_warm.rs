@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "2ef19667842b40aa2223f0136929d17c599593e2c043232956e35ebc34c8c585",
+    hash: "4fbf480747d764ab745f500b764a9e876c769d09a608f53da0b90d1cb7d0a8d3",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "e04eebbb1ade8c5522d4d10b6d90c90b53cd5d6020f095e552f15ccf63d61247",
+    hash: "87de32d85313bd23b5986ca6fcc121a14f4717b95e47e87658bd4d6c0c634b41",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "be13ad510308a99483154303b321290885a9b4f975ec333ba5d17bcfbadfe1f0",
+    hash: "a64033d6f0d8ac8d8277b9dc0e794f7b49ec30193a79cbc5594175fc666a4ae8",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "16b68f250945f206cc85ac60a81f50a5b6cd0a17e255b53c7a4605d585a924d6",
+    hash: "eef81f5844287cd97c950b2ab3314e8a315c8c7e075b91cb32aa5d42d66361be",
 };

@@ -28,7 +28,8 @@ pub struct AccelerateVariant {
 /// (Monaghan 1992), viscosity of differences of velocities (Muller, Charypar & Gross 2003, eq. 14; Morris, Fox & Zhu 1997),
 /// gravity, walls, and with SURFACE\_TENSION the divergence of the colour field's stress (Lafaurie et al. 1994; Hu & Adams
 /// 2006), which needs no curvature and keeps momentum too. A wall answers with its particle's own pressure, and with what
-/// that would grow by under gravity beyond it (Adami, Hu & Adams 2012), in closed form.
+/// that would grow by under gravity across it (Adami, Hu & Adams 2012), in closed form; along it pressure pushes as much more as
+/// the fluid's images beyond would (AlongWalls).
 #[derive(Debug)]
 pub struct Accelerate<'a> {
     /// Its variant.
@@ -264,7 +265,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "61e8c02566848cbaed83c5be39e9b3ac7c4876c7f707fcbf99ce6880b4db97df",
+    hash: "e33bf119f15f367d26164c8173254eb06eb106e0a5f09d93cf3b31c90e8014ef",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -277,7 +278,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ada8cd79744e1a47b44f68c9aa4ef97478027ef7677a32cd6a75b4ae0ceafcc5",
+    hash: "974bcbffadea81abecf12f00ede75d5c53ef0c74fcab1d5414e20ae048334995",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -290,7 +291,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "ff75ec8a1f215d0506c3f8272313186c9c3d6f4270a14644e947af73c34c0967",
+    hash: "559fed832e32a35e644e69d9a779dfd7745fd5e5b03186ca9297262c354aae33",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -303,7 +304,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a1032ff46b9fbac1c98ddafba050af2560f3be7e6ef29517f853bf33535df7f8",
+    hash: "54df5375d7ff65f10dab33d9c7bf2ccfaff3a48ff1ee74c8f9f4b6b8fce3334b",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -316,7 +317,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ad7fd74a5d63794f8ca403fb89ce45e3d9677e7d88efc5c1d776e45b2874a75e",
+    hash: "fd8c76f0243265ce2ff650852d8249b15f01ee2459e577251613b9648563273d",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -329,7 +330,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "377f4cb8b8009cd64d19ab5083113d79a17f8a0aaa345fe0ac2d9e3f95ad7e8f",
+    hash: "f6dc03a791eb10ab44804d3d182a1fc8339a05004953eb10fc6433f6a7b1a1ab",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -342,7 +343,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3ce3b9d45ec11a5593cbdeb64504bd8cf8af3020a3192f42528b6abf625ec723",
+    hash: "652094d4b00b4672f723d83fae4086043bb0dfb43db18e5798ad92e9676dde70",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -355,7 +356,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6824dacfa8d1094c6d148580f9b4d63d16ce031d4a9379997e0ef0bc4a50ea22",
+    hash: "36bee71d3af1a89820da1085bbec85ecce843d4bef6fc9a1f47a3e0aaced9be7",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -368,7 +369,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7146049b7ae1761a1bccfed9801c1e271ca41f17a464969a5408bfc0a075a12e",
+    hash: "9e61a7db701fbd94db003124f5ef8904b154ad2c4cfa5beeb5ec104837e030b7",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -381,7 +382,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b115a5d9cad13e0cce0c8ba0a3df97a6061c6b541f4bf2e04dcffb85cf7ad998",
+    hash: "6eb3bfa37664656193ccc3f3605f2d1c884288c07b0b82940e30f17c648665ef",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -394,7 +395,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b6ef2ae9b9a24d1c5d5243b8fc22dc963d869cad82dfed339870b4bf49445628",
+    hash: "9c9c256fe0603e67339e2449b3e6f70be3ac4288a18b97e9a4e9a1e8b0c029b4",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -407,161 +408,161 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e4cb40689b7b7eb07e181637f9f8224f62bb9ddfce3d44c1647cbd5ea5ff4418",
+    hash: "68b8da0cebbd11d22f047b45d91f620c9a554a9d38b7b69906752204f8a7cc1f",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
     name: "Accelerate+WALLS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 219948, bytes: 18684 },
+    spirv: Spirv::Packed { pack: PACK, first: 219948, bytes: 18572 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "55e8b9bb24bccd11d2a4082e083170c8a06ac829960a6059dd4bcb3ba05e0e1c",
+    hash: "366eb4ba5447e78eb07e1b952bf5392204104dbee63754fa4a6693f3318b3ee1",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 238632, bytes: 18544 },
+    spirv: Spirv::Packed { pack: PACK, first: 238520, bytes: 18432 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b659634baa56c7c34c2b0c5008fe95762f9ea2bd977e5608530e143b5742817b",
+    hash: "2d03729d6ebfdecb3f28956fd5dc88a99b44f6632a388e3c022bb9fbbbb6062f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 257176, bytes: 18624 },
+    spirv: Spirv::Packed { pack: PACK, first: 256952, bytes: 18512 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "033a7492a00a6ec8f78c6225d60009e37cabb55eddf32ca1e51f480dc6e720f6",
+    hash: "e6a2fe7cb7a4c2767771330e76500612ce44c2f27ea0b8bf12874ed3b8c85d9e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 275800, bytes: 20864 },
+    spirv: Spirv::Packed { pack: PACK, first: 275464, bytes: 20752 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "49df52bf227b7ff175336f1baec015bd1e12cd397af74686146cbc66767fc6db",
+    hash: "4d7788682fa1f355dc40d3d44293f6d95de0f6cedfa2b73f52a1636c5dfbac1e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 296664, bytes: 20724 },
+    spirv: Spirv::Packed { pack: PACK, first: 296216, bytes: 20612 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f251800d9fabb30a31244770eb24eacd04c21796466ed7f8a8d3cc9c8e4663ed",
+    hash: "03bcabcacfe24dc812ffe7f3f4302881d357533151eeb4340eaf0ba56a5333c2",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 317388, bytes: 20804 },
+    spirv: Spirv::Packed { pack: PACK, first: 316828, bytes: 20692 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "a872d0a24a6d1b48142bc236eb28ab39b6a8a9edb82cc8a776921678ca1635e8",
+    hash: "26135907ccf0088b96933fbfa327a3b170ba809e8e31067383567949303ee27d",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 338192, bytes: 21468 },
+    spirv: Spirv::Packed { pack: PACK, first: 337520, bytes: 21356 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "bdc9142e98285cee1aff92dd9aff2464e38c4885bb6fa551bead2e41fa3ab7a9",
+    hash: "33c68699df5972ffee91e4bd1789d51dc11223d2d1cba9e051f70dbdb84b9a26",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 359660, bytes: 21232 },
+    spirv: Spirv::Packed { pack: PACK, first: 358876, bytes: 21120 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5be756e504d935e5782caec00341c7a7c7b59c4a01de90052b0b70b737780ca9",
+    hash: "ff799a788bb698d73b948ebdde95e42d708a90dc617a73a1c0abef7d7fb056e7",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 380892, bytes: 21232 },
+    spirv: Spirv::Packed { pack: PACK, first: 379996, bytes: 21120 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5d98d7123a1234baa1ae38fcd9b1b1b2e5a17fb2321e18a77b8abd21d945143a",
+    hash: "ca29ed2dc02267a6bc1df04e43b5b32d1951e29ee47feaaa691c619821575a68",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 402124, bytes: 23628 },
+    spirv: Spirv::Packed { pack: PACK, first: 401116, bytes: 23516 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "acb65d0e4c9b05c107afb2b85f95a96c9f38c2d072eb4719e4be059e41b1397e",
+    hash: "e550945d218f928fd309730e2a14d85a91cdb41cc74c2eefc756038db533ff5b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 425752, bytes: 23392 },
+    spirv: Spirv::Packed { pack: PACK, first: 424632, bytes: 23280 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8dec5dfd1722a128467c41e1b13bb7afc38b71e68cc2fee7ce6845cbf2f93769",
+    hash: "03b4bde1da3d5c09f72f4c5f51198f7f203e62870d45eca0be639a7c3e356059",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 449144, bytes: 23392 },
+    spirv: Spirv::Packed { pack: PACK, first: 447912, bytes: 23280 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "254d83337306a8896d658152781dc9a3a762fff4ddfe5acaea3167f580ac0a1b",
+    hash: "92892a1918910a1fd489ee98c3369326c2e8b8353cd30bcd04ffabbc1db6aefa",
 };

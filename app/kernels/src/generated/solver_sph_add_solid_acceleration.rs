@@ -19,8 +19,8 @@ pub struct AddSolidAccelerationVariant {
 }
 
 /// What solids add to the acceleration of each particle, and its velocity takes of that at once: they answer with its own
-/// pressure, and bear of its weight what they would as walls (accelerate.compute). A stage of its own, as
-/// add\_solid\_density is.
+/// pressure, bear of its weight what they would as walls, and its images behind them push it along as its neighbours do
+/// (accelerate.compute). A stage of its own, as add\_solid\_density is.
 #[derive(Debug)]
 pub struct AddSolidAcceleration<'a> {
     /// Its variant.
@@ -150,24 +150,24 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     name: "AddSolidAcceleration",
     entry: "AddSolidAcceleration",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10588 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 11040 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "bf5f3f0a547e0bab7b6ca2bdc9b572acf1232dd14e1fab65cf14ca103d4c1f27",
+    hash: "e03eda42bce9cb4f1c15650a927a375d820993d06b55f864919f572471f92c97",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     name: "AddSolidAcceleration+SURFACE_TENSION",
     entry: "AddSolidAcceleration",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10588, bytes: 10856 },
+    spirv: Spirv::Packed { pack: PACK, first: 11040, bytes: 11308 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "702aeec79ec76fabc48ac07a87847bd280d5e9bb064209d46c8e4180fcd48296",
+    hash: "7de18f1d1df56b4efb60648b2649038255a653f5c1cef500e8a2859df22eb9bb",
 };

@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "21d63c0c47ffac79afe4e748b703e6b8e67bea10644f3544ef18064bb1fc45bc",
+    hash: "05e0f366c9f88072d19d3ae82f2334642944062c4457c77bebf0dfcfee84acaf",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "f3c4a0da81908b49d4521774465f745a10f6b3e2339beedd328cb530a49ab200",
+    hash: "9396583dfaebdfb5482f95fee00aa526bc8b43b24cef9a1bd0bdf468657a6b72",
 };

@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "33b477a205bfa5b72f7d346d515f1f9f4d295f44c4790e0d2ea91d7c0fc7c77b",
+    hash: "904a55251959344a116f3f1870509b09ab66de1326c6c60c5a6abf1af9f58e86",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b793fd103437e31bd44c8368d027d38794979cbf932a8a510258e922b18ff9ce",
+    hash: "0eb98c4841c082cdc10ef1de99a8f3b1dbba9a1bb5d141b25005a040e5ceee63",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "ca1dfebaf9c942cff336963d47635d590e616a0e3734d33b7cf5671656d6afdf",
+    hash: "cf8abeb2d875d7490ae0acc3420a6e043d062c5a5ca8fb0e89a714d9d3207ff7",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "8ee5f77317f1430a8e76c70d908b94f7442beaeec7830feb4c2b958b651222f6",
+    hash: "d92dfe168e2a811f691a67ec7d730c9a6231f738af529acae3986ddac91c4747",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b8d600c1591270bd8fb74a5eb3cfd28217c866d1054a3acc333b57a5e032d242",
+    hash: "159ebdafa92a62d2e4af3831fcc94ca36f6be70817352afc9fd22f6100f8b49b",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "2bc34252c190dd02d85b1fe5b2a0b89d4a250d59c7ced77daf5ae9e0796c3ec7",
+    hash: "8e7a390286b70613fea81b1d51d1629e2713fa9634cd11439bb19ade030188e2",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4c0551230cacd613712f182874a0e1db5a94b3e9a0e42453f226ce5c2ccd9616",
+    hash: "2e13f67414f925c41c0d90e75d2ba360403004d101acab4e171e83099e0913e2",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4d400ad673c447c95fb7ab74bfc3cbeae9e8f0ef49cdd72ef3b0da6a59074ed0",
+    hash: "8313b78fae2edbeb00ce0a54062be0c4bc89da2d4849d1d64096cbf226849738",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d140976d2ce43a4a4f4936d0cc086301a4c4097f04db75fa2ac8f9faee5c7e3d",
+    hash: "cfb83854fdcdb969c2f922324a8270969aeba1a42a85f7ff0c32d8c9034e68a6",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b81a90974060e64fbb1b5892bc0747c7c0acd6c872264418a78527eec3be0c46",
+    hash: "40b9cc9632b0eb93eea7281aeae5264eb1b81749955e925595fb3370788f3380",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "05f200749094ceccda24361e1ca4c3674dc756a0902caaa06d20bac60fb1fa5d",
+    hash: "6954355b57cd89a75dd2dc2245b98c2775cdaa88d319da5926bccfdfa3f94e2a",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f239094440b81f9af8ed5bd2fe4d316e98749e7572eb8c76d6659803a6020f67",
+    hash: "733c036c6eb60605d87e20a1d15bb6df37296bc82c5dccf691d1e9c6c25609d6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "2de1bc9b14eb5425cbd0ede893e32fed2b88491809cc2c6fa4cd5dadf35c1266",
+    hash: "6b64c81e5214a1ef629424fa060779d1fa448193cd5d9585710acbac87597c64",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b1ae87996a6448d12e2a7f9021d6d249591ab8450069f1291d77ce541d455d0d",
+    hash: "cf0efb6fa6fae7ea2e03ca12a175e85baf4cd5435b5f3b501eaf21f547e23bdd",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "622bb1cde0a5cbb63f17a81e425aa8a9ac3bc1a828fe959500426e8bc9afda93",
+    hash: "99498ecc3fc994cb1c0859d6f31b41a7b9e4e36aab0f1e0fa450e19c1cb6fa08",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0e0add217ac0fe7e833cafe7ff0bd9f2c86329e477dd5a29b055e25926ed265b",
+    hash: "ec098faae7425f1ce9a9183edfcc83f7c92dd17907a93145712632537a5b9066",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cab5d571cf4b2fee6bedb3970cf3bfaf3aab05d7b24ed54adc2c946f608d95f4",
+    hash: "b1920362713a3a5bccc7f989964c10851d953455f3b647ec4b73e475b858e3fd",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "c26f9e4480f59e1899fd01e93e1dc3b1cc83ba60a19828b13844a2b51cfac4aa",
+    hash: "b929b45d04b45bbd5611747d700f6b0957448eeb8201d802e843e11095322e2a",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "908e81a6fb5884b6ac5789f188cd52910f2921d0a1f128d858e08cad6f2df1f0",
+    hash: "5238c363f627f713b2df11e53a89c48f041f291cbcb5076e94793a1c6a14a4fc",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "eea172c2f316deb5653b97370fceda4b5d942baf8acd8bcaae981d5308fb84af",
+    hash: "bf019b406a2389063cddec579b079c958bfd19403660dbd67ab5f938d662c8e6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "e3571628a25d7f814dc241536c16a7fc1a2c9b0d024c2b78e5142ff056cff392",
+    hash: "240d6f365112cd5a26c54d6abbe95b159bcc7935bb672b9f4c356641be6d2328",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "869e470da104a0753db72729e33497a2d7c2dc3d20277dbb90c88d067f303697",
+    hash: "fe78faad75bb2e6f6e9f7cb821b1791a70e12ce02dbb86e58079586944fd5acf",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "99c469c7f0e731adbe2a23069551d7c49ce2d21a290661be358e221d76c5ad0d",
+    hash: "f02e09badbe0f836bcf5c4e6be3687cd56aeacaa4b59b7569d6fb6e0d4cc6fcb",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "60da23b7e2be57e91376a21dce11ed789215e5a02a549c44a750a068f046fa29",
+    hash: "537ca8164480474749f23155b9bd0df10398c799d65312129b49177b107292b7",
 };

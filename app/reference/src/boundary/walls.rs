@@ -92,9 +92,9 @@ impl DomainWalls {
     /// wall an even slope of pressure pulls with the integral of -y dW/dy, which by parts is that of W: the images'
     /// share of it is the density that the wall adds. Never more than doubled for an axis.
     ///
-    /// What they bear of the fluid's weight is the integral of u dW/du beyond them, negative, u from the particle, with which
-    /// a pressure that grows by ρ g u pushes back. By parts it is the density beyond along a wall, and the wall's distance
-    /// times its slope besides across one.
+    /// What they bear of the fluid's weight across them is the integral of u dW/du beyond, negative, u from the particle, with
+    /// which a pressure that grows by ρ g u pushes back. By parts it is the density beyond and the wall's distance times its
+    /// slope.
     pub fn sample(&self, position_m: DVec3) -> BoundarySample {
         let (share, slope) = self.shares(position_m);
         let [others, product] =
@@ -106,7 +106,7 @@ impl DomainWalls {
             density,
             gradient: slope * (DVec3::splat(plane) - edge * others + corner * product),
             correction_scale: gain.yzx() * gain.zxy(),
-            borne: DVec3::splat(density) + plane * self.moments(position_m),
+            borne: plane * (share + self.moments(position_m)),
         }
     }
 

@@ -36,11 +36,10 @@ float3 AlongSolids(SolidSample solids, float3 push)
     return across + scale * (push - across);
 }
 
-// What they bear of an acceleration (WallBorne).
+// What they bear of an acceleration across them (WallBorne).
 float3 BorneBySolids(SolidSample solids, float3 acceleration_m_s2)
 {
-    return solids.density * acceleration_m_s2
-         + solids.moment * dot(solids.normal, acceleration_m_s2) * solids.normal;
+    return (solids.density + solids.moment) * dot(solids.normal, acceleration_m_s2) * solids.normal;
 }
 
 // The position, moved out of the nearest solid to where particles may be. Includers declare `solids_params`.

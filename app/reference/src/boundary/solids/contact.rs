@@ -116,8 +116,8 @@ impl SolidSample {
         across + (push - across) / (1.0 - self.density.min(0.5))
     }
 
-    /// What they bear of an acceleration.
+    /// What they bear of an acceleration, across them.
     pub fn borne(&self, acceleration_m_s2: DVec3) -> DVec3 {
-        self.density * acceleration_m_s2 + self.moment * self.normal.dot(acceleration_m_s2) * self.normal
+        (self.density + self.moment) * self.normal.dot(acceleration_m_s2) * self.normal
     }
 }

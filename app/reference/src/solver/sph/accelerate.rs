@@ -55,7 +55,7 @@ pub fn accelerate(
         }
     }
     let boundary = sample_boundary(flow.positions_m[i], pressure_walls);
-    push -= 2.0 * own.pressure_m2_s2 * boundary.gradient;
+    push = push * boundary.correction_scale - 2.0 * own.pressure_m2_s2 * boundary.gradient;
     let h_m = smoothing.support_m;
     let supported = (own.pressure_m2_s2 * terms.supported_per_m2_s2).clamp(0.0, 1.0);
     push / h_m
