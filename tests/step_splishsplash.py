@@ -1,9 +1,11 @@
-"""Steps a block of water with SPlisHSPlasH's WCSPH and prints what each step took as JSON.
+"""Steps a block of water with SPlisHSPlasH and writes what each step took as JSON: with WCSPH and fixed steps, or with DFSPH
+and steps by its CFL condition that are no longer than those given.
 
 Needs the package pySPlisHSPlasH (2.19.0). Where it cannot be imported for want of a GL library, replace the wheel's own
 libGLX, libGLdispatch, libOpenGL and libGLU by links to the system's.
 
-    python step_splishsplash.py FOLDER SPACING_M DT_S STEPS SPEED_OF_SOUND_M_S
+    python step_splishsplash.py FOLDER wcsph SPACING_M DT_S END_S SPEED_OF_SOUND_M_S
+    python step_splishsplash.py FOLDER dfsph SPACING_M DT_S END_S DENSITY_TOLERANCE
 """
 
 import json
@@ -23,20 +25,25 @@ FACES = [(1, 3, 4), (1, 4, 2), (5, 6, 8), (5, 8, 7), (1, 2, 6), (1, 6, 5), (3, 7
          (2, 4, 8), (2, 8, 6)]
 
 
-def scene(folder: Path, spacing: float, dt: float, sound: float) -> Path:
+def method(name: str, dt: float, number: float) -> dict:
+    if name == "wcsph":
+        # Of p = stiffness ((rho/rho0)^7 - 1): the square of the speed of sound is 7 stiffness / rho0.
+        stiffness = number * number * REST_DENSITY / EXPONENT
+        return {"simulationMethod": 0, "cflMethod": 0, "stiffness": stiffness, "exponent": EXPONENT}
+    # Its tolerance is in percent, the divergence's as it is by default.
+    return {"simulationMethod": 4, "cflMethod": 1, "cflMaxTimeStepSize": dt, "maxError": 100.0 * number}
+
+
+def scene(folder: Path, spacing: float, dt: float, settings: dict) -> Path:
     obj = [f"v {x} {y} {z}" for x, y, z in CORNERS] + [f"f {a} {b} {c}" for a, b, c in FACES]
     (folder / "box.obj").write_text("\n".join(obj) + "\n")
     half = 0.5 * spacing
     configuration = {
         "particleRadius": half,
-        "simulationMethod": 0,
+        **settings,
         "density0": REST_DENSITY,
         "gravitation": [0, -9.81, 0],
         "timeStepSize": dt,
-        "cflMethod": 0,
-        # Of p = stiffness ((rho/rho0)^7 - 1): the square of the speed of sound is 7 stiffness / rho0.
-        "stiffness": sound * sound * REST_DENSITY / EXPONENT,
-        "exponent": EXPONENT,
         # Akinci et al. 2012: particles on the walls.
         "boundaryHandlingMethod": 0,
     }
@@ -66,15 +73,15 @@ def scene(folder: Path, spacing: float, dt: float, sound: float) -> Path:
     return path
 
 
-def main(folder: Path, spacing: float, dt: float, steps: int, sound: float) -> None:
+def main(folder: Path, name: str, spacing: float, dt: float, end: float, number: float) -> None:
     (folder / "out" / "log").mkdir(parents=True, exist_ok=True)
     base = sph.Exec.SimulatorBase()
-    path = scene(folder, spacing, dt, sound)
+    path = scene(folder, spacing, dt, method(name, dt, number))
     base.init(sceneFile=str(path), useGui=False, outputDir=str(folder / "out"), initialPause=False, useCache=False)
     base.initSimulation()
     ends = []
     base.setTimeStepCB(lambda: ends.append(time.perf_counter()))
-    base.setValueFloat(base.STOP_AT, (steps - 0.5) * dt)
+    base.setValueFloat(base.STOP_AT, end - 0.5 * dt)
     base.runSimulation()
     fluid = sph.Simulation.getCurrent().getFluidModel(0)
     densities = [fluid.getDensity(i) for i in range(fluid.numActiveParticles())]
@@ -89,4 +96,4 @@ def main(folder: Path, spacing: float, dt: float, steps: int, sound: float) -> N
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]).resolve(), *(float(x) for x in sys.argv[2:4]), int(sys.argv[4]), float(sys.argv[5]))
+    main(Path(sys.argv[1]).resolve(), sys.argv[2], *(float(x) for x in sys.argv[3:]))

@@ -33,7 +33,7 @@ const CURVES: [Curve; 4] = [
         &[],
         &[(STEPS_A_SECOND, 2), (STEPS_A_SECOND, 3), (STEPS_A_SECOND, 4), (STEPS_A_SECOND, 8)],
     ),
-    ("and longer steps: 2 at 200/s, 3 at 160/s, 4 at 120/s", &[], &[(200.0, 2), (160.0, 3), (120.0, 4)]),
+    ("and longer steps", &[], &[(200.0, 2), (160.0, 3), (120.0, 4)]),
 ];
 const PLAIN: &[&str] = &["solver.pbf.acceleration=none", "solver.pbf.coarse_correction=false"];
 /// Other programs on this workload with 4 iterations, their own if not PBF: time over plain Brooklet's in one run of both,

@@ -4,13 +4,12 @@
 //! `BROOKLET_PEERS_PYTHON=venv/bin/python cargo run --release -p brooklet-tests --example peers_speed -- 3 30`.
 
 use std::ffi::OsString;
-use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 use std::time::Instant;
 
 use brooklet_fluid::{Scene, Session};
+use brooklet_tests::splishsplash::{self, Solver};
 use brooklet_tests::{gpu, peers};
-use serde_json::Value;
 
 const SPACINGS_M: [f64; 2] = [1.0 / 48.0, 1.0 / 80.0];
 /// The first sort, build and allocate.
@@ -45,36 +44,6 @@ fn ours(scene: &Scene, steps: usize) -> Result<(Vec<f64>, f64), String> {
     Ok((step_s.split_off(WARM_UP), stats.compression.max))
 }
 
-/// The same of the other, and its number of particles.
-fn theirs(
-    python: &OsString,
-    spacing_m: f64,
-    dt_s: f64,
-    steps: usize,
-    sound_m_s: f64,
-) -> Result<(Vec<f64>, f64, u64), String> {
-    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("step_splishsplash.py");
-    let ended = Command::new(python)
-        .arg(script)
-        .arg(folder.path())
-        .args([spacing_m, dt_s].map(|x| format!("{x:?}")))
-        .args([steps.to_string(), format!("{sound_m_s:?}")])
-        // Threads that spin while they wait lose whole time slices where others work: 188 ms a step instead of 51.
-        .env("OMP_WAIT_POLICY", "passive")
-        .output()
-        .map_err(|error| format!("cannot start {}: {error}", python.display()))?;
-    let told = std::fs::read(folder.path().join("told.json"))
-        .map_err(|_| format!("{} told nothing: {}", python.display(), String::from_utf8_lossy(&ended.stderr)))?;
-    let told: Value = serde_json::from_slice(&told).map_err(|error| error.to_string())?;
-    let numbers = |key: &str| -> Vec<f64> {
-        told[key].as_array().into_iter().flatten().filter_map(serde_json::Value::as_f64).collect()
-    };
-    let density = numbers("density").get(1).copied().unwrap_or(f64::NAN);
-    let step_s = numbers("step_s").into_iter().skip(WARM_UP - 1).collect();
-    Ok((step_s, density / 1000.0 - 1.0, told["particles"].as_u64().unwrap_or(0)))
-}
-
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
@@ -95,17 +64,19 @@ fn run(python: &OsString, turns: usize, steps: usize) -> Result<(), String> {
         let mut compression = [0.0_f64; 2];
         for _ in 0..turns {
             let (ours_s, ours_most) = ours(&fixed, steps + WARM_UP)?;
-            let (theirs_s, theirs_most, count) = theirs(python, spacing_m, dt_s, steps + WARM_UP, sound_m_s)?;
-            if count != fixed.particle_count() {
-                return Err(format!("{count} particles there, {} here", fixed.particle_count()));
+            let end_s = (steps + WARM_UP) as f64 * dt_s;
+            let theirs = splishsplash::run(python, Solver::Wcsph(sound_m_s), spacing_m, dt_s, end_s)?;
+            if theirs.particles != fixed.particle_count() {
+                return Err(format!("{} particles there, {} here", theirs.particles, fixed.particle_count()));
             }
+            let theirs_s = theirs.step_s[WARM_UP - 1..].to_vec();
             let (chosen_s, _) = ours(&chosen, WARM_UP + 3)?;
             let [ours_ms, theirs_ms, chosen_ms] = [ours_s, theirs_s, chosen_s].map(|all| 1e3 * median(all));
             ratios.push(theirs_ms / ours_ms);
             a_second.push(theirs_ms / dt_s / (chosen_ms / chosen.solver.dt_s));
             own.push(ours_ms);
             other.push(theirs_ms);
-            compression = [compression[0].max(ours_most), compression[1].max(theirs_most)];
+            compression = [compression[0].max(ours_most), compression[1].max(theirs.density[1] - 1.0)];
         }
         let shown = |all: &[f64]| all.iter().map(|ratio| format!("{ratio:.2}")).collect::<Vec<_>>().join(", ");
         println!(
@@ -124,10 +95,7 @@ fn run(python: &OsString, turns: usize, steps: usize) -> Result<(), String> {
 }
 
 fn main() -> ExitCode {
-    let Some(python) = std::env::var_os("BROOKLET_PEERS_PYTHON") else {
-        println!("SKIPPED: BROOKLET_PEERS_PYTHON does not name a Python with pySPlisHSPlasH 2.19.0");
-        return ExitCode::SUCCESS;
-    };
+    let Some(python) = splishsplash::python() else { return ExitCode::SUCCESS };
     let mut arguments = std::env::args().skip(1).map(|text| text.parse::<usize>());
     let mut next = |default| arguments.next().unwrap_or(Ok(default));
     let (turns, steps) = match (next(3), next(30)) {

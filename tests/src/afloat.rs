@@ -13,9 +13,6 @@ pub const HEIGHT_M: f64 = 0.1;
 pub const DEEP_M: f64 = 0.25;
 /// And of one that has few particles, m.
 pub const SHALLOW_M: f64 = 0.15;
-/// h/d of SPH's pools. At 2 its particles stay on the lattice that they begin on, which gives way like a soft solid: a prism
-/// lies as it fell, and drafts are off by up to .3 d, more or less by how far they are from whole layers.
-const SPH_SUPPORT_RATIO: f64 = 2.5;
 /// Surface of the pool's ground, m².
 const GROUND_M2: f64 = 0.4 * 0.4;
 
@@ -26,8 +23,7 @@ fn pool([x, y, z]: [f64; 3], depth_m: f64, body: &str, method: &str, spacing_m: 
          [[fluid]]\nblock = {{ min_m = [0, 0, 0], max_m = [{x}, {depth_m}, {z}] }}\n\
          [[solid]]\n{body}\n[solver]\nmethod = \"{method}\"\n[outputs]\nmeasure_every_steps = 1\n"
     );
-    let settings = if method == "sph" { vec![format!("solver.support_ratio={SPH_SUPPORT_RATIO}")] } else { Vec::new() };
-    Scene::from_toml(&text, "afloat", &settings).unwrap_or_else(|error| panic!("{error}"))
+    Scene::from_toml(&text, "afloat", &[]).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A shape as high as [`HEIGHT_M`] in a pool of some depth, afloat where it will be.

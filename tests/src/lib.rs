@@ -13,6 +13,7 @@ pub mod phones;
 pub mod program;
 pub mod python;
 pub mod solids;
+pub mod splishsplash;
 pub mod states;
 pub mod twin;
 pub mod validation;

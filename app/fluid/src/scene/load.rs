@@ -7,6 +7,8 @@ use std::path::Path;
 use toml::{Table, Value};
 
 use super::fields::FIELDS;
+use super::paths::value_at;
+use super::sph::SUPPORT_RATIO;
 use super::{Method, Scene, SceneError, explain, methods, moved, settings, shipped};
 
 /// The longest text that is read as a scene. A device that never ends, or a video, is none.
@@ -85,6 +87,9 @@ impl Scene {
         methods::refuse_foreign(&table, text, source_name, FIELDS)?;
         let mut scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
             .map_err(|error| explain::mismatch(&error, &table, text, source_name, from_text))?;
+        if value_at(&table, SUPPORT_RATIO).is_none() {
+            scene.solver.support_ratio = scene.default_support_ratio();
+        }
         scene.form_solids(source_name)?;
         scene.check(source_name)?;
         if scene.solver.method == Method::Dfsph {

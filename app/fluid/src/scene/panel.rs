@@ -6,6 +6,7 @@ use toml::{Table, Value};
 
 use super::field::{Kind, Slider};
 use super::fields::FIELDS;
+use super::sph::SUPPORT_RATIO;
 use super::update::{Update, UpdateRule};
 use super::{Scene, SceneError, methods, paths, settings};
 
@@ -93,6 +94,9 @@ impl Scene {
         if method != self.solver.method.name() {
             // The old method's settings go with it.
             methods::prune(&mut table, &method, FIELDS);
+            if self.solver.support_ratio == self.default_support_ratio() {
+                paths::take(&mut table, SUPPORT_RATIO);
+            }
         }
         let mut scene = Self::from_table(&table, "", &self.name, false)?;
         scene.name.clone_from(&self.name);

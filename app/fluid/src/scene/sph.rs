@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Fluid, Scene};
+use super::{Fluid, Method, Scene, Solver, body_count};
 
 /// A smoothing kernel of one of its terms. q = r/h, 0 beyond h.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -116,7 +116,18 @@ const TENSION_VISCOSITY: f64 = 0.4;
 /// Room for substeps beyond those that sound, viscosity and tension ask for: for fast particles and hard hits.
 const SPARE_SUBSTEPS: f64 = 1.5;
 
+/// h/d of SPH where bodies move, if a scene says none.
+const BODIES_SUPPORT_RATIO: f64 = 2.5;
+/// The field of h/d.
+pub(super) const SUPPORT_RATIO: &str = "solver.support_ratio";
+
 impl Scene {
+    /// h/d where a scene says none.
+    pub(super) fn default_support_ratio(&self) -> f64 {
+        let holds_bodies = self.solver.method == Method::Sph && body_count(self) > 0;
+        if holds_bodies { BODIES_SUPPORT_RATIO } else { Solver::default().support_ratio }
+    }
+
     /// Stiffness of SPH's pressure, m²/s²: what the scene says, or ten times the fastest speed that it may come to, squared.
     pub fn stiffness_m2_s2(&self) -> f64 {
         self.solver.sph.stiffness_m2_s2.unwrap_or_else(|| (SOUND_RATIO * self.expected_speed_m_s()).powi(2))
@@ -172,5 +183,33 @@ impl Scene {
     pub(super) fn most_substeps(&self) -> f64 {
         let limit_s = self.sound_limit_s().min(self.steady_limit_s());
         (SPARE_SUBSTEPS * self.solver.dt_s / limit_s).ceil().max(f64::from(self.solver.substeps))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bodies_have_more_neighbours_around_them_unless_a_scene_says_how_many() {
+        let text = "spacing_m = 0.1\n[domain]\nmin_m = [0, 0, 0]\nmax_m = [1, 1, 1]\n\
+            [[fluid]]\nblock = { min_m = [0, 0, 0], max_m = [1, 0.5, 1] }\n\
+            [[solid]]\nsphere = { radius_m = 0.2 }\ncentre_m = [0.5, 0.7, 0.5]\n";
+        let ratio = |settings: &[&str]| {
+            let settings: Vec<String> = settings.iter().map(ToString::to_string).collect();
+            Scene::from_toml(text, "ball", &settings).unwrap().solver.support_ratio
+        };
+        let (sph, body) = ("solver.method=sph", "solid.0.density_kg_m3=500");
+        assert_eq!(ratio(&[sph]), 2.0, "it stands");
+        assert_eq!(ratio(&[body]), 2.0, "PBF");
+        assert_eq!(ratio(&[sph, body]), 2.5);
+        assert_eq!(ratio(&[sph, body, "solver.support_ratio=2"]), 2.0);
+        let scene = Scene::from_toml(text, "ball", &[sph.into(), body.into()]).unwrap();
+        assert_eq!(Scene::from_toml(&scene.to_toml(), "ball", &[]).unwrap().solver.support_ratio, 2.5);
+        let other = scene.with_setting("solver.method=pbf").unwrap();
+        assert_eq!(other.solver.support_ratio, 2.0, "another method has its own default");
+        assert_eq!(other.with_setting(sph).unwrap().solver.support_ratio, 2.5);
+        let own = scene.with_setting("solver.support_ratio=3").unwrap().with_setting("solver.method=pbf").unwrap();
+        assert_eq!(own.solver.support_ratio, 3.0, "which somebody chose");
     }
 }
