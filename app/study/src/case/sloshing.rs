@@ -27,10 +27,9 @@ const DT_S: f64 = 1.0 / 480.0;
 const WINDOW_S: f64 = 0.005;
 /// Peaks over 100 repeats, mean and standard deviation, mbar.
 const PEAKS_MBAR: [(f64, f64); 4] = [(37.1, 7.3), (48.2, 15.0), (46.9, 17.1), (46.4, 13.2)];
-/// Four impacts; the first is about two and a half seconds from the start.
+/// Four impacts, one a period; the first is about two and a half seconds from the start.
 const END_S: f64 = 7.9;
-/// Of the highest pressure: that an impact has come.
-const RISE: f64 = 0.3;
+const FIRST_S: f64 = 2.5;
 
 /// The roll at a time, degrees around z.
 fn roll_deg(time_s: f64) -> f64 {
@@ -76,13 +75,11 @@ fn pressures(setup: &Setup, samples: &[Sample]) -> Vec<(f64, f64)> {
     each.windows(steps).map(mean).collect()
 }
 
-/// Time and pressure of each impact's peak, one a period from the first on.
+/// Time and pressure of each impact's peak: of each period around the first on, however weak one is beside the others.
 fn peaks(pressures: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let highest = pressures.iter().map(|at| at.1).fold(0.0, f64::max);
-    let Some(&(first_s, _)) = pressures.iter().find(|at| at.1 > RISE * highest) else { return Vec::new() };
     (0..PEAKS_MBAR.len())
         .map_while(|k| {
-            let from_s = first_s + (k as f64 - 0.5) * PERIOD_S;
+            let from_s = FIRST_S + (k as f64 - 0.5) * PERIOD_S;
             let of = pressures.iter().filter(|at| (from_s..from_s + PERIOD_S).contains(&at.0));
             of.copied().max_by(|a, b| a.1.total_cmp(&b.1))
         })
@@ -205,6 +202,8 @@ mod tests {
         assert!(off(&run(&setup, means)).unwrap() < 0.01);
         assert!(off(&run(&setup, means.map(|mbar| 2.0 * mbar))).unwrap() > 2.5);
         assert!(off(&run(&setup, means.map(|mbar| 0.1 * mbar))).unwrap() > 2.5);
+        let first_is_weak = [0.1 * means[0], means[1], means[2], means[3]];
+        assert!((off(&run(&setup, first_is_weak)).unwrap() - 0.5 * 0.9 * means[0] / PEAKS_MBAR[0].1).abs() < 0.1);
         let figures = Sloshing.figures(&setup, &run(&setup, means), &|_| None).unwrap();
         assert!((figures[2].value.unwrap() - 2.4).abs() < 0.03, "{:?}", figures[2]);
         assert_eq!(off(&[Sample::default()]), None, "no pressure at all is no agreement");
