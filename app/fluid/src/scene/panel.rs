@@ -89,14 +89,15 @@ impl Scene {
         let malformed =
             |reason: String| SceneError::Malformed { source_name: self.name.clone(), place: String::new(), reason };
         let mut table = self.to_table().map_err(|error| malformed(error.to_string()))?;
+        if self.solver.support_ratio == self.default_support_ratio() {
+            // Which is another's with another method or without bodies.
+            paths::take(&mut table, SUPPORT_RATIO);
+        }
         change(&mut table)?;
         let method = methods::chosen(&table).to_owned();
         if method != self.solver.method.name() {
             // The old method's settings go with it.
             methods::prune(&mut table, &method, FIELDS);
-            if self.solver.support_ratio == self.default_support_ratio() {
-                paths::take(&mut table, SUPPORT_RATIO);
-            }
         }
         let mut scene = Self::from_table(&table, "", &self.name, false)?;
         scene.name.clone_from(&self.name);

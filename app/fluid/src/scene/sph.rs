@@ -209,6 +209,8 @@ mod tests {
         let other = scene.with_setting("solver.method=pbf").unwrap();
         assert_eq!(other.solver.support_ratio, 2.0, "another method has its own default");
         assert_eq!(other.with_setting(sph).unwrap().solver.support_ratio, 2.5);
+        let standing = Scene::from_toml(text, "ball", &[sph.into()]).unwrap();
+        assert_eq!(standing.with_setting(body).unwrap().solver.support_ratio, 2.5, "it moves now");
         let own = scene.with_setting("solver.support_ratio=3").unwrap().with_setting("solver.method=pbf").unwrap();
         assert_eq!(own.solver.support_ratio, 3.0, "which somebody chose");
     }

@@ -27,9 +27,9 @@ const DT_S: f64 = 1.0 / 480.0;
 const WINDOW_S: f64 = 0.005;
 /// Peaks over 100 repeats, mean and standard deviation, mbar.
 const PEAKS_MBAR: [(f64, f64); 4] = [(37.1, 7.3), (48.2, 15.0), (46.9, 17.1), (46.4, 13.2)];
-/// Four impacts, one a period; the first is about two and a half seconds from the start.
-const END_S: f64 = 7.9;
+/// When the first of four impacts comes, about; the others follow a period apart.
 const FIRST_S: f64 = 2.5;
+const END_S: f64 = 7.9;
 
 /// The roll at a time, degrees around z.
 fn roll_deg(time_s: f64) -> f64 {
