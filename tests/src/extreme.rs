@@ -1,9 +1,10 @@
 //! What every extreme case must keep, whatever it does to the fluid: states are finite, no particle
 //! is lost or doubled, all are inside the domain, and in the end the fluid is at rest again.
 
-use crate::{compare::vector, gpu};
+use crate::{compare::vector, gpu, gpu_of_long_run};
 use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::{Scene, Session, Stats};
+use brooklet_gpu::Gpu;
 use brooklet_kernels::{Position, QUARANTINED, Velocity};
 use glam::DVec3;
 
@@ -103,15 +104,18 @@ pub struct Case {
     walled_size_m: Option<[f64; 3]>,
 }
 
+fn scene_of(text: &str, settings: &[&str]) -> Scene {
+    let settings: Vec<String> = settings.iter().map(|&s| s.into()).collect();
+    Scene::from_toml(text, "extreme.toml", &settings).unwrap_or_else(|error| panic!("{error}"))
+}
+
 impl Case {
     /// Starts the scene in `text` with `settings` (`path=value`) on top.
     ///
     /// # Panics
     /// If the scene or the device does not allow it.
     pub fn new(text: &str, settings: &[&str]) -> Self {
-        let settings: Vec<String> = settings.iter().map(|&s| s.into()).collect();
-        let scene = Scene::from_toml(text, "extreme.toml", &settings).unwrap_or_else(|error| panic!("{error}"));
-        Self::of(&scene)
+        Self::of(&scene_of(text, settings))
     }
 
     /// Starts a scene.
@@ -119,7 +123,19 @@ impl Case {
     /// # Panics
     /// If the device does not allow it.
     pub fn of(scene: &Scene) -> Self {
-        let mut session = Session::new(&gpu(), scene).unwrap_or_else(|error| panic!("{error}"));
+        Self::on(&gpu_of_long_run(scene), scene)
+    }
+
+    /// Starts a scene whose few steps take long, all of them under the validation layers.
+    ///
+    /// # Panics
+    /// If the scene or the device does not allow it.
+    pub fn of_few_steps(text: &str, settings: &[&str]) -> Self {
+        Self::on(&gpu(), &scene_of(text, settings))
+    }
+
+    fn on(gpu: &Gpu, scene: &Scene) -> Self {
+        let mut session = Session::new(gpu, scene).unwrap_or_else(|error| panic!("{error}"));
         let positions = session.read_particles().unwrap_or_else(|error| panic!("{error}")).positions;
         let walled_size_m = scene.domain.walls.then(|| scene.domain.size_m());
         Self { session, count: positions.len(), walled_size_m }

@@ -20,7 +20,7 @@ pub mod validation;
 
 pub use brooklet_check::numbers::{edge_sizes, rng};
 pub use brooklet_check::{bench as harness, cases, compare};
-pub use device::{device, gpu, small};
+pub use device::{device, gpu, gpu_of_long_run, small};
 
 use std::path::{Path, PathBuf};
 

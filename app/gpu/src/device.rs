@@ -28,6 +28,8 @@ pub struct GpuOptions {
     pub watch_builds: bool,
     /// What not to do with formats, though the device can: to see what is then done instead.
     pub without_formats: Vec<(Format, FormatUse)>,
+    /// Whether Vulkan's validation layers stay away though `BROOKLET_VALIDATION=1` asks for them.
+    pub without_layers: bool,
 }
 
 /// What is known of a device.
@@ -77,7 +79,7 @@ impl Gpu {
     /// # Errors
     /// If there is no Vulkan, no such device, or it lacks what Brooklet needs.
     pub fn open(options: &GpuOptions) -> Result<Gpu, GpuError> {
-        Self::open_on(&vulkan_instance(), None, options)
+        Self::open_on(&instance(!options.without_layers), None, options)
     }
 
     /// As [`Gpu::open`], on an instance of [`vulkan_instance`], a device that shows its pictures on `surface`.
@@ -356,9 +358,13 @@ fn adapters_of(instance: &wgpu::Instance) -> Vec<wgpu::Adapter> {
 
 /// What devices, and surfaces for [`Gpu::open_on`], come from.
 pub fn vulkan_instance() -> wgpu::Instance {
+    instance(true)
+}
+
+fn instance(layers: bool) -> wgpu::Instance {
     // VALIDATION_INDIRECT_CALL stays off: it would add a hidden dispatch to every indirect one.
     let mut flags = wgpu::InstanceFlags::empty();
-    if std::env::var_os("BROOKLET_VALIDATION").is_some_and(|value| value == "1") {
+    if layers && std::env::var_os("BROOKLET_VALIDATION").is_some_and(|value| value == "1") {
         flags |= wgpu::InstanceFlags::VALIDATION | wgpu::InstanceFlags::DEBUG;
     }
     wgpu::Instance::new(wgpu::InstanceDescriptor {

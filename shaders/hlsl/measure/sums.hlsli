@@ -37,6 +37,8 @@ MeasureSums SumOfGroup(MeasureSums mine, uint thread)
 {
     shared_measures[thread] = mine;
     GroupMemoryBarrierWithGroupSync();
+    // Not unrolled: a processor's driver takes seconds to build a kernel that is this long between barriers.
+    [loop]
     for (uint half = PARTICLE_GROUP / 2; half > 0; half /= 2)
     {
         if (thread < half)

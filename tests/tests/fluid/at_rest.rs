@@ -5,7 +5,7 @@ use brooklet_fluid::Scene;
 use brooklet_fluid::particles::{ParticleSet, resample, sample_lattice};
 use brooklet_study::Setup;
 use brooklet_study::backend::{Options, run};
-use brooklet_tests::gpu;
+use brooklet_tests::gpu_of_long_run;
 
 /// Spacings of which 10, and no whole number, fit between calm-pool's walls: rungs of the ladder among them.
 const SPACINGS_M: [f64; 4] = [0.05, 0.0577, 0.0794, 0.047];
@@ -25,7 +25,7 @@ fn unrest(scene: &Scene, particles: ParticleSet) -> (f64, f64) {
     let first_m = heights_m / particles.positions.len() as f64;
     let sample_times_s = (1..=80).map(|k| f64::from(k) / 80.0).collect();
     let setup = Setup { scene: scene.clone(), particles, sample_times_s, relaxes: false, squeezed: false };
-    let measured = run(&gpu(), &setup, &Options::default()).unwrap().measured;
+    let measured = run(&gpu_of_long_run(scene), &setup, &Options::default()).unwrap().measured;
     let most_j = measured.iter().map(|m| m.stats.kinetic_j).fold(0.0, f64::max);
     (most_j, first_m - measured.last().unwrap().stats.centre_of_mass_m[1])
 }

@@ -5,7 +5,7 @@ use brooklet_fluid::scene::body_mass_kg;
 use brooklet_fluid::state::State;
 use brooklet_fluid::{BodyMotion, ParticleSource, Scene, Session, SessionRecorder, reaction_sums};
 use brooklet_tests::afloat::{FLAT_BOX, SHALLOW_M, draft_m, floating};
-use brooklet_tests::{gpu, small};
+use brooklet_tests::{gpu, gpu_of_long_run, small};
 use glam::{DQuat, DVec3};
 
 fn vector(of: [f32; 3]) -> DVec3 {
@@ -20,7 +20,7 @@ fn a_box_floats_as_deep_as_archimedes_says() {
     let steps = if small() { 5 } else { 200 };
     for (density_kg_m3, method) in [(300.0, "pbf"), (700.0, "pbf"), (500.0, "dfsph"), (500.0, "sph")] {
         let scene = floating(FLAT_BOX, density_kg_m3, method, 0.025, SHALLOW_M);
-        let mut session = Session::new(&gpu(), &scene).unwrap();
+        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
         let mut drafts_m = Vec::new();
         for step in 0..steps {
             session.step().unwrap();
@@ -53,7 +53,7 @@ fn momentum_goes_from_fluid_to_body_in_free_space() {
     for method in ["pbf", "sph", "dfsph", "none"] {
         let scene = Scene::from_toml(text, "hit", &[format!("solver.method={method}")]).unwrap();
         let mass_kg = body_mass_kg(&scene.solids[0]);
-        let mut session = Session::new(&gpu(), &scene).unwrap();
+        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
         let mut momenta = |steps: u32| {
             (0..steps).for_each(|_| session.step().unwrap());
             session.measure().unwrap();
@@ -89,7 +89,7 @@ fn a_hull_floats_as_deep_as_the_box_that_it_is() {
     if small() {
         return;
     }
-    let mut session = Session::new(&gpu(), &of_hull).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&of_hull), &of_hull).unwrap();
     let mut drafts_m = Vec::new();
     for step in 0..160 {
         session.step().unwrap();
@@ -114,7 +114,7 @@ fn a_body_on_a_hinge_swings_as_a_compound_pendulum() {
     let arm_m = DQuat::from_rotation_z(6_f64.to_radians()) * DVec3::new(0.0, 0.2, 0.0);
     let text = text.replace("HX", &(0.5 + arm_m.x).to_string()).replace("HY", &(0.5 + arm_m.y).to_string());
     let scene = Scene::from_toml(&text, "pendulum", &[]).unwrap();
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     let dt_s = scene.solver.dt_s;
     let squared_m2 = (0.06 * 0.06 + 0.4 * 0.4) / 12.0 + 0.2 * 0.2;
     let period_s = std::f64::consts::TAU * (squared_m2 / (9.81 * 0.2_f64)).sqrt();
@@ -153,7 +153,7 @@ fn bodies_fall_bounce_and_come_to_rest_on_each_other() {
          [[solid]]\nsphere = { radius_m = 0.1 }\ncentre_m = [0.5, 0.7, 0.5]\ndensity_kg_m3 = 2000\nrestitution = 0.5\n\
          [solver]\nmethod = \"none\"\n[outputs]\nmeasure_every_steps = 1\n";
     let scene = Scene::from_toml(text, "fall", &[]).unwrap();
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     let mut falls = |seconds: f64| {
         (0..(seconds / scene.solver.dt_s).round() as u32).for_each(|_| session.step().unwrap());
         session.read_bodies().unwrap().states
@@ -173,7 +173,7 @@ fn bodies_fall_bounce_and_come_to_rest_on_each_other() {
 #[test]
 fn a_saved_state_goes_on_bit_for_bit() {
     let scene = floating(FLAT_BOX, 400.0, "pbf", 0.025, SHALLOW_M).with_setting("solver.deterministic=true").unwrap();
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     (0..6).for_each(|_| session.step().unwrap());
     let saved = State {
         scene: scene.clone(),

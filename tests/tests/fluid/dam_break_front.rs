@@ -5,7 +5,7 @@
 
 use brooklet_fluid::{Scene, Session};
 use brooklet_reference::dam_break::{Sample, compare, parse_series};
-use brooklet_tests::gpu;
+use brooklet_tests::gpu_of_long_run;
 
 const BASE_M: f64 = 0.05715;
 
@@ -18,7 +18,7 @@ fn front_follows_martin_and_moyce() {
     // A slice eight particles wide: the front does not feel the width, and a CPU driver does.
     let settings = ["domain.max_m.2=0.02286", "fluid.0.block.max_m.2=0.02286"].map(String::from);
     let scene = Scene::load("martin-moyce", &settings).unwrap();
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     let mut front = Vec::new();
     let per_t = (2.0 * 9.81 / BASE_M).sqrt();
     for step in 1..=500_u32 {

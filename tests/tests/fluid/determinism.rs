@@ -3,8 +3,7 @@
 use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::{Scene, Session};
 use brooklet_kernels::{Position, Velocity};
-use brooklet_tests::small;
-use brooklet_tests::{gpu, rng};
+use brooklet_tests::{gpu_of_long_run, rng, small};
 use rand::seq::SliceRandom;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -29,7 +28,7 @@ fn scene(deterministic: bool) -> Scene {
 /// Every bit of the particles after `steps`, by id; from the scene's lattice as many times as large, in another order where
 /// there is a seed for it.
 fn particles_after(scene: &Scene, steps: u32, scale: f32, shuffled: Option<u64>) -> Vec<(Position, Velocity)> {
-    let mut session = Session::new(&gpu(), scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(scene), scene).unwrap();
     let ParticleSet { positions, velocities } = session.read_particles().unwrap();
     let mut both: Vec<_> = positions.into_iter().zip(velocities).collect();
     for (position, _) in &mut both {

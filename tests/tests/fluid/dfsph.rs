@@ -10,8 +10,8 @@ use brooklet_reference::solver::Solver;
 use brooklet_reference::step::Fluid;
 use brooklet_tests::compare::vector;
 use brooklet_tests::extreme::Case;
-use brooklet_tests::gpu;
 use brooklet_tests::twin::twin;
+use brooklet_tests::{gpu, gpu_of_long_run};
 use glam::DVec3;
 
 /// A pool that fills a box of .4 x .8 x .4 m up to .5 m.
@@ -88,7 +88,7 @@ fn a_compressed_ball_in_free_space_keeps_its_momentum() {
         [[fluid]]\nsphere = { centre_m = [1, 1, 1], radius_m = 0.3 }\nvelocity_spread_m_s = [1, 1, 1]\n\
         [solver]\nmethod = \"dfsph\"\ndt_s = 0.002\n";
     let scene = from_text(text, &[]);
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     let history = run(&mut session, 50, 10);
     let [first, last] = [history[0], history[4]].map(|stats| DVec3::from_array(stats.momentum_kg_m_s));
     let scale = scene.particle_mass_kg() * f64::from(history[0].particles) * history[0].max_speed_m_s;
@@ -126,7 +126,7 @@ fn a_pool_at_rest_stays_calm_and_a_warm_start_saves_its_iterations() {
 fn a_settled_pool_stands_on_its_floor_by_pressure_alone() {
     const STEPS: usize = 800;
     let scene = from_text(POOL, &[]);
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     let mut start = session.read_particles().unwrap();
     start.positions.sort_by_key(|at| id_of(at.tag));
     let mut fluid = twin(&scene, &start.positions, &start.velocities);
@@ -193,7 +193,7 @@ fn a_small_dam_break_goes_as_its_twin() {
     let fixed = fixed.map(|setting| format!("solver.dfsph.{setting}"));
     let settings: Vec<&str> = ["spacing_m=0.1"].into_iter().chain(fixed.iter().map(String::as_str)).collect();
     let scene = dam_break(&settings);
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     let mut start = session.read_particles().unwrap();
     start.positions.sort_by_key(|at| id_of(at.tag));
     let mut fluid = twin(&scene, &start.positions, &start.velocities);

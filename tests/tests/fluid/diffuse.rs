@@ -6,7 +6,7 @@ use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::{FrameRequest, ParticleSource, Scene, Session, SessionRecorder};
 use brooklet_gpu::{Plan, Resources};
 use brooklet_kernels::{Counters, DiffuseParticle, DiffuseState};
-use brooklet_tests::{gpu, small};
+use brooklet_tests::{gpu_of_long_run, small};
 
 /// A dam breaks over a wet bed.
 const WAVE: &str = r#"spacing_m = 0.05
@@ -31,7 +31,8 @@ fn scene(text: &str, settings: &[&str]) -> Scene {
 }
 
 fn session(scene: &Scene) -> Session {
-    Session::start(&gpu(), SessionRecorder::new(scene, ParticleSource::Scene).sweep().unwrap()).unwrap()
+    Session::start(&gpu_of_long_run(scene), SessionRecorder::new(scene, ParticleSource::Scene).sweep().unwrap())
+        .unwrap()
 }
 
 /// What was counted so far.

@@ -9,7 +9,7 @@ use brooklet_fluid::{BodyMotion, FrameRequest, ParticleSource, Scene, Session, S
 use brooklet_gpu::{Gpu, GpuOptions, Plan, Resources};
 use brooklet_kernels::{StepState, WarmStart};
 use brooklet_tests::compare::vector;
-use brooklet_tests::{gpu, small};
+use brooklet_tests::{gpu, gpu_of_long_run, small};
 use glam::{DVec2, DVec3, Vec3Swizzles as _};
 
 /// A pool that a jet runs into and two drains empty, one of them slowly; what the jet emits also ends by itself.
@@ -47,7 +47,8 @@ fn scene(text: &str, settings: &[&str]) -> Scene {
 }
 
 fn session(scene: &Scene) -> Session {
-    Session::start(&gpu(), SessionRecorder::new(scene, ParticleSource::Scene).sweep().unwrap()).unwrap()
+    Session::start(&gpu_of_long_run(scene), SessionRecorder::new(scene, ParticleSource::Scene).sweep().unwrap())
+        .unwrap()
 }
 
 /// What came and went so far.

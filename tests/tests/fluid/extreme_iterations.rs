@@ -18,7 +18,7 @@ fn a_thousand_iterations_move_no_particle_by_a_support() {
             "solver.neighbour_slots=512",
             &format!("solver.precision={precision}"),
         ];
-        let mut case = Case::new(scene, &settings);
+        let mut case = Case::of_few_steps(scene, &settings);
         assert_eq!(case.count(), 512);
         // All but one point, each the neighbour of all others: a ball of them is 2.5 h in radius.
         case.place(|_, position_m, _| *position_m = position_m.map(|x| 0.5 + 0.05 * (x - 0.28)));

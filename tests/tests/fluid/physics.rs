@@ -2,7 +2,7 @@
 
 use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::{Scene, Session, Stats};
-use brooklet_tests::gpu;
+use brooklet_tests::gpu_of_long_run;
 
 fn scene(name: &str, settings: &[&str]) -> Scene {
     let settings: Vec<String> = settings.iter().map(|&s| s.into()).collect();
@@ -40,7 +40,7 @@ fn free_fall_of_one_and_two_particles_is_exact_to_rounding() {
     );
     for (count, text) in [(1, FALL), (2, pair.as_str())] {
         let scene = Scene::from_toml(text, "fall.toml", &[]).unwrap();
-        let mut session = Session::new(&gpu(), &scene).unwrap();
+        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
         let start = session.read_particles().unwrap().positions;
         assert_eq!(start.len(), count);
         let steps = 100;
@@ -72,7 +72,7 @@ fn free_fall_of_one_and_two_particles_is_exact_to_rounding() {
 #[test]
 fn momentum_in_free_space_drifts_by_rounding_alone() {
     let scene = scene("colliding-drops", &["spacing_m=0.03"]);
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     let history = run(&mut session, 120, 10);
     let last = history.last().unwrap();
     let mass_kg = scene.particle_mass_kg() * f64::from(last.particles);
@@ -90,7 +90,7 @@ fn momentum_in_free_space_drifts_by_rounding_alone() {
 #[test]
 fn energy_never_rises_and_water_comes_to_rest() {
     let scene = scene("dam-break", &["spacing_m=0.04"]);
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     session.measure().unwrap();
     session.finish().unwrap();
     let start = session.stats().unwrap();
@@ -134,7 +134,7 @@ fn energy_never_rises_and_water_comes_to_rest() {
 #[test]
 fn a_calm_pool_stays_calm() {
     let scene = scene("calm-pool", &[]);
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     let history = run(&mut session, 480, 40);
     let last = history.last().unwrap();
     println!("calm pool after 2 s: {last:?}");
@@ -150,7 +150,7 @@ fn a_calm_pool_stays_calm() {
 #[test]
 fn a_particle_that_is_not_finite_is_quarantined_and_spreads_nothing() {
     let scene = scene("calm-pool", &["spacing_m=0.05"]);
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     let mut particles = session.read_particles().unwrap();
     let (positions, velocities) = (&mut particles.positions, &mut particles.velocities);
     positions[100].position_m[1] = f32::NAN;

@@ -2,7 +2,7 @@
 
 use brooklet_fluid::{Scene, Session};
 use brooklet_tests::solids::{BOWL, BOX, CUP, HILLS, JET, Leak};
-use brooklet_tests::{gpu, small};
+use brooklet_tests::{gpu_of_long_run, small};
 
 fn scene(leak: &Leak, settings: &[&str]) -> Scene {
     let settings: Vec<String> = settings.iter().map(|&setting| setting.into()).collect();
@@ -12,7 +12,7 @@ fn scene(leak: &Leak, settings: &[&str]) -> Scene {
 /// Runs for so many steps, and returns how many particles are through at the end.
 fn through(leak: &Leak, settings: &[&str], steps: u32) -> usize {
     let scene = scene(leak, settings);
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     for _ in 0..steps {
         session.step().unwrap();
     }
@@ -49,7 +49,7 @@ fn nobody_passes_triangles() {
     let scene = scene(&BOWL, &["spacing_m=0.04", "solver.method=none"]);
     let mut open = scene.clone();
     open.solids.remove(0);
-    let mut session = Session::new(&gpu(), &open).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&open), &open).unwrap();
     for _ in 0..60 {
         session.step().unwrap();
     }
@@ -63,7 +63,7 @@ fn nobody_passes_triangles() {
 fn a_pool_over_ground_rests() {
     let steps = if small() { 10 } else { 360 };
     let scene = scene(&HILLS, &["outputs.measure_every_steps=1"]);
-    let mut session = Session::new(&gpu(), &scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
     for _ in 0..steps {
         session.step().unwrap();
     }
@@ -84,7 +84,7 @@ fn without_the_solid_particles_are_through() {
     let scene = scene(&JET, &["spacing_m=0.04"]);
     let mut open = scene.clone();
     open.solids.clear();
-    let mut session = Session::new(&gpu(), &open).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(&open), &open).unwrap();
     for _ in 0..4 {
         session.step().unwrap();
     }
@@ -103,7 +103,7 @@ fn a_box_that_stands_is_as_calm_and_dense_as_walls_are() {
              {solid}[outputs]\nmeasure_every_steps = 1\n"
         );
         let scene = Scene::from_toml(&text, "calm", &[format!("solver.method={method}")]).unwrap();
-        let mut session = Session::new(&gpu(), &scene).unwrap();
+        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
         for _ in 0..steps {
             session.step().unwrap();
         }

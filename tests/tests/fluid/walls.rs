@@ -7,8 +7,8 @@ use brooklet_kernels::{DragWalls, Kernel as _};
 use brooklet_study::backend::{Options, run};
 use brooklet_study::case::{COUETTE, Case, POISEUILLE};
 use brooklet_tests::compare::vector;
-use brooklet_tests::gpu;
 use brooklet_tests::twin::twin;
+use brooklet_tests::{gpu, gpu_of_long_run};
 use glam::DVec3;
 
 /// Error and fitted viscosity's error of a channel at a spacing.
@@ -72,7 +72,7 @@ fn free_slip_has_no_stage_and_no_buffer() {
 
 /// The mean velocity along x after some steps.
 fn sliding_m_s(scene: &Scene, steps: u32) -> f64 {
-    let mut session = Session::new(&gpu(), scene).unwrap();
+    let mut session = Session::new(&gpu_of_long_run(scene), scene).unwrap();
     for _ in 0..steps {
         session.step().unwrap();
     }
@@ -131,7 +131,7 @@ fn a_slab_over_walls_is_its_twins() {
         let scene = slab(settings);
         let start = sample_lattice(&scene);
         let mut fluid = twin(&scene, &start.positions, &start.velocities);
-        let mut session = Session::new(&gpu(), &scene).unwrap();
+        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
         for _ in 0..10 {
             session.step().unwrap();
             for _ in 0..scene.substeps() {

@@ -90,11 +90,11 @@ static FIND_CONTACTS: Module = Module {
     name: "FindContacts",
     entry: "FindContacts",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 23352 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 19604 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/find_contacts.compute",
-    hash: "e4cb73bbe518de9485360e0f42e7ea0b2c416eb9fcfa33456e18fb01e9766f21",
+    hash: "8f272a8992587ee23ae152e4a9fe7f029d1b7d76f96e188861f857d985814976",
 };

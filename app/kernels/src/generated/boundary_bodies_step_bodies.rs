@@ -90,11 +90,11 @@ static STEP_BODIES: Module = Module {
     name: "StepBodies",
     entry: "StepBodies",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 34008 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 26336 },
     bindings: BINDINGS_0,
     group_size: [256, 1, 1],
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "0fc9362d1647968e1845f22b15a952f512375b9373ee8fd06faa95acd3a1f2d2",
+    hash: "6b2228d2a0a108d230dc2e73bece7fcb8fdae8ab984b69e7451444ce2e31dad9",
 };

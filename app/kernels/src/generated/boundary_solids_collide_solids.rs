@@ -138,24 +138,24 @@ static COLLIDE_SOLIDS: Module = Module {
     name: "CollideSolids",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 21800 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 19884 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "dd4cfe739735cc9bbb86a2aaddfb44d08e1dc06cdd15f02783dbf0f5aabaa287",
+    hash: "c2705a7542170c0178e9bfdb7dde9680bd230ce6ffd4f05b6420032a2476a596",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     name: "CollideSolids+BODIES",
     entry: "CollideSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 21800, bytes: 26000 },
+    spirv: Spirv::Packed { pack: PACK, first: 19884, bytes: 24084 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "559772e3ad1a678dc26d7afde2c7edd3d30b7cd0037c1a1ac517845d37f66c0a",
+    hash: "8d018ce96650c755c74f47b6384b11749a4dd25a9203ec5a7488b0fae0e70eb8",
 };

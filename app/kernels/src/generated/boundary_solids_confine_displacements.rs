@@ -156,50 +156,50 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     name: "ConfineDisplacements",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 23880 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 21964 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "78bbfef18345f5091effabc54c968e4b031b208a8fb6e33cdce73209b69fe56d",
+    hash: "870db2b1f42c5114b149bf6b21ad5eb52b2d846239786bf27ab20347883cb433",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 23880, bytes: 24600 },
+    spirv: Spirv::Packed { pack: PACK, first: 21964, bytes: 22684 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "57aa00e4ddaa97141d59839fc8426531bb34d9e1a6c525aefbc7e36a47f5c72e",
+    hash: "58ccbfede56634ce07465ef05e1633d5e678c4e26dc7069fd60edfe44861decf",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     name: "ConfineDisplacements+BODIES",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 48480, bytes: 28084 },
+    spirv: Spirv::Packed { pack: PACK, first: 44648, bytes: 26168 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "a5897954d67f0726dc1bee8252c7414526c3766220d7d97d52d10821ef07c886",
+    hash: "024955bd1f16da7dd25a2f21344e9994ab92d3112d13d0cbad5b03d6fe96819c",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
     name: "ConfineDisplacements+BODIES+RELAXED_PRECISION",
     entry: "ConfineDisplacements",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 76564, bytes: 28804 },
+    spirv: Spirv::Packed { pack: PACK, first: 70816, bytes: 26888 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "922898d8cc0855b9a1fa2871ada818c118bb3a4f678b514ee24edc8a8e34fb62",
+    hash: "9694248cc0a7e617d8c99514bf9673652579d1aff55d3b257e6fa9ef37f34307",
 };

@@ -65,11 +65,11 @@ static MOVE_SOLIDS: Module = Module {
     name: "MoveSolids",
     entry: "MoveSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 11968 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10536 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "0c101ab6ee470e7a2f20e2bbda69f85a7016a88fb8379bfd730c3fb78181eff5",
+    hash: "c2ea383c3cbbe389dd2330d996da99b50f7e77c48819fc3ef60fdd5cbccec7da",
 };

@@ -87,11 +87,11 @@ static SAMPLE_SOLIDS: Module = Module {
     name: "SampleSolids",
     entry: "SampleSolids",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 46832 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 32900 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "f15aa6a1302ceb154e450c53f92ccd531a50312ae656b67cd3700973e26c3d65",
+    hash: "f35e190a351e71eec17f503090a0f2c782f9c75526f23bcb0c2022d159549b20",
 };

@@ -101,11 +101,11 @@ static COLLIDE_DIFFUSE: Module = Module {
     name: "CollideDiffuse",
     entry: "CollideDiffuse",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 24588 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 22672 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/collide_diffuse.compute",
-    hash: "3bb9f91601a73f2e17d97cbb30215c38e47e1491a7a486fdb8fdf3113369971f",
+    hash: "1348dae4a2352dd95e01b06de7027e639ab20cce999aec9166180053a4f4387f",
 };

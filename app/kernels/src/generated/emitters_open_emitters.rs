@@ -94,11 +94,11 @@ static OPEN_EMITTERS: Module = Module {
     name: "OpenEmitters",
     entry: "OpenEmitters",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15096 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 13680 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "emitters/open_emitters.compute",
-    hash: "156eafe92781fb543476a82283f438c73a3955b7bb812813360d75d933f70b07",
+    hash: "74f3e6a6c147168ab1fa351f47b463cb0bf799a24baa95759c1aed21f2b2e4bd",
 };

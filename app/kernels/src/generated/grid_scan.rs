@@ -105,37 +105,37 @@ static REDUCE_GROUPS: Module = Module {
     name: "ReduceGroups",
     entry: "ReduceGroups",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5472 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 4220 },
     bindings: BINDINGS_0,
     group_size: [128, 1, 1],
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "7be17c78c05de2bc2b6dc1545ffab07335e409af4cb7e72d34e16bc4a9e12b0d",
+    hash: "e191bbd770b72be2d64e3f6f5f282b962dcda21a30f86afcd008c7af2193967a",
 };
 
 static SCAN_GROUPS: Module = Module {
     name: "ScanGroups",
     entry: "ScanGroups",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5472, bytes: 7556 },
+    spirv: Spirv::Packed { pack: PACK, first: 4220, bytes: 5772 },
     bindings: BINDINGS_1,
     group_size: [128, 1, 1],
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "82c05b48cf78ca13c082e5d3bd1254a20057c33afef8bc4c872741e6c05dbd8a",
+    hash: "d58f1d33d17f2c94c8674b701636b773e39ef3d67758e9ad4f6deab99a007b0d",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     name: "ScanGroups+GROUP_OFFSETS",
     entry: "ScanGroups",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 13028, bytes: 7752 },
+    spirv: Spirv::Packed { pack: PACK, first: 9992, bytes: 5968 },
     bindings: BINDINGS_2,
     group_size: [128, 1, 1],
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "4790daf9893f901146befb1f581577a8fed87d20ad4554cbf96900c6d939c448",
+    hash: "70af47f1987ee4b51275f765ad27dfadb5a0272cdfba7b34dc8b9433a9b83449",
 };

@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "ced772fe8ea413d97b096c1964cb3a6348f77646c38b3376f142af55877fa682",
+    hash: "ef2061c783783aab548e75c514b9173f890b9c5818736c3ef915f002604f398a",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "f33124338b43caec5a66bf3d52b79242f11c423f8649937aa46101e9076d27e9",
+    hash: "424dba706bdeaf2367a63b63add16009bd5265ccdef50482d73eae95fc8814bc",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "ac0ea8bb152aef724228038c5d1008b66a9311995700bf8835db025f9f85f650",
+    hash: "aae2f6a9024185645e4c78fbef3551cd8bc9cba4b014ae819a31566d569a69de",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "61d3da037c4a385578ffe97ca0fc367e2a4301ba93717df85ae8fef7d18df8ec",
+    hash: "293260bf61c279ad98fb9d3081352b0d0cc1a691d29be18fbe8c845970077e39",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "8e3ec40eaf76eba0dc225588c9456ddc59f06b61adff411729c03133eef58a5d",
+    hash: "8977ae3e6c3536e5ecd7188beed14f9e5d830093ea457ff0579f3ee224b064ee",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "63dd64b645ec853e953b0762002431605785bd617c5d4d2a4d39342c47dba3d1",
+    hash: "06567f75e8abc4d90d41f6f3a5763981e7f127275b9104c13b4c8cd80e3169bd",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "b24e042ca3a74f5d8e4706f1ef2b0968573f37ab83e82d092bc8bd8a1ce3642a",
+    hash: "1607279b0aad0821e5bee8a5d6fd9f0b30316cdf894b95b19821387f6bd33e72",
 };

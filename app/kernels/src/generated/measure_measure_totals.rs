@@ -76,5 +76,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "a1784d58ab163a7774872040289004340a476dedcebd988c1569b6d220f9fc88",
+    hash: "80811be080e9bbd1331e0a44accacdee5452ffa1c6db49ab3b7f9bd9bcd3aa46",
 };

@@ -143,7 +143,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "08bec28df30be1e37b935531111b8db30bfbd3a719f8153ae3a74135eb2e9720",
+    hash: "49231a3da420ac541622a9840e1316980da50afd9cf78a32ebb3797d2f7bc91a",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "1a36485563a38c68bdd3a5b5925544517a005f4ca9f21a7f90feec05db3f9018",
+    hash: "fae2287a6edf3b10a7076e097c7ff358129f0cf6b6a7dd71bef29fec55efb516",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "85f5931f93b8f7b050e73fc286ac497ec688c902c54fce1af6b20394461a4577",
+    hash: "0db16fc356dad82b1da4b4a77f96a4cdb4f8349d2d1ad9d1a8e01f122779ac4d",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,31 +182,31 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "e23b29ef55152165da30849c8bf7a983ea29c97042d589037292e4fc733621fd",
+    hash: "4d151415d3894263814c0e75639aca596b36212344d4966c6570a12685bd162c",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     name: "ShiftPositions+SOLID_WALLS",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 21624, bytes: 22536 },
+    spirv: Spirv::Packed { pack: PACK, first: 21624, bytes: 20620 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "778abf74ea9cbcbeb4e9455843981db7c983694dc87f530c5e969f2c3fc844e9",
+    hash: "7445ae448c3340eeecf1de43ba8506b0afeb2c57c97fdefeffd81e77ac3988dc",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     name: "ShiftPositions+SOLID_WALLS+PERIODIC",
     entry: "ShiftPositions",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 44160, bytes: 23504 },
+    spirv: Spirv::Packed { pack: PACK, first: 42244, bytes: 21588 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "2602646ed9a20562ec81319031e6ee8bc8d7cee6b8d8c018088730dd13e28b19",
+    hash: "97d8cbe3a4fafdfaed796d37ba6efd6a674d504500332bd78e4cf3402a74caf0",
 };

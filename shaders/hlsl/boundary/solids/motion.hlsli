@@ -11,7 +11,7 @@
 float PartOfTurn(float share, float cosine)
 {
     float sum = 1.0;
-    [unroll]
+    [loop]
     for (uint k = 7; k > 0; --k)
     {
         float n = float(k);

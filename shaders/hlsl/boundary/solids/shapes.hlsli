@@ -104,16 +104,22 @@ Surface SurfaceOf(Solid solid, float3 place_m)
 {
     if (solid.shape == SHAPE_FIELD)
         return SurfaceOfField(solid, place_m);
-    Surface surface = SurfaceOfShape(solid.shape, place_m, solid.half_m);
-    if (solid.is_hollow != 0)
+    Surface surface;
+    surface.distance_m = -1.0e30;
+    surface.normal = 0.0;
+    // A loop over outside and cavity, so that the shapes' code is there once: it is what a driver builds longest.
+    [loop]
+    for (uint part = 0; part <= solid.is_hollow; ++part)
     {
-        float3 middle_m = 0.5 * (solid.cavity_min_m + solid.cavity_max_m);
-        float3 half_m = 0.5 * (solid.cavity_max_m - solid.cavity_min_m);
-        Surface cavity = SurfaceOfShape(solid.shape, place_m - middle_m, half_m);
-        if (-cavity.distance_m > surface.distance_m)
+        bool outside = part == 0;
+        float3 middle_m = outside ? 0.0 : 0.5 * (solid.cavity_min_m + solid.cavity_max_m);
+        float3 half_m = outside ? solid.half_m : 0.5 * (solid.cavity_max_m - solid.cavity_min_m);
+        float side = outside ? 1.0 : -1.0;
+        Surface of = SurfaceOfShape(solid.shape, place_m - middle_m, half_m);
+        if (side * of.distance_m > surface.distance_m)
         {
-            surface.distance_m = -cavity.distance_m;
-            surface.normal = -cavity.normal;
+            surface.distance_m = side * of.distance_m;
+            surface.normal = side * of.normal;
         }
     }
     return surface;
@@ -216,15 +222,20 @@ ShapeShare ShareOf(Solid solid, float3 place_m, SmoothingKernelParams kernel)
     if (solid.shape == SHAPE_FIELD)
         return ShareOfField(solid, place_m, kernel);
     float per_m = kernel.inverse_support_per_m;
-    float3 place = place_m * per_m;
     float3 high = solid.half_m * per_m;
-    ShapeShare of = ShareOfShape(solid.shape, place, -high, high, kernel);
-    if (solid.is_hollow != 0)
+    ShapeShare of;
+    of.share = 0.0;
+    of.slope = 0.0;
+    [loop]
+    for (uint part = 0; part <= solid.is_hollow; ++part)
     {
-        ShapeShare cavity = ShareOfShape(solid.shape, place, max(solid.cavity_min_m * per_m, -high),
-                                         min(solid.cavity_max_m * per_m, high), kernel);
-        of.share = max(of.share - cavity.share, 0.0);
-        of.slope -= cavity.slope;
+        bool outside = part == 0;
+        float3 low_end = outside ? -high : max(solid.cavity_min_m * per_m, -high);
+        float3 high_end = outside ? high : min(solid.cavity_max_m * per_m, high);
+        float side = outside ? 1.0 : -1.0;
+        ShapeShare more = ShareOfShape(solid.shape, place_m * per_m, low_end, high_end, kernel);
+        of.share = max(of.share + side * more.share, 0.0);
+        of.slope += side * more.slope;
     }
     return of;
 }
