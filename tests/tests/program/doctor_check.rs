@@ -9,10 +9,11 @@ use serde_json::Value;
 
 /// SPIR-V opcodes (Unified Specification, 3.52).
 const NOP: u32 = 0;
-const CONSTANT: u32 = 43;
 const F_SUB: u32 = 131;
+const U_DIV: u32 = 134;
 const U_LESS_THAN: u32 = 176;
 const U_LESS_THAN_EQUAL: u32 = 178;
+const SHIFT_RIGHT: u32 = 194;
 const CONTROL_BARRIER: u32 = 224;
 
 fn module(name: &str) -> &'static Module {
@@ -71,13 +72,13 @@ fn a_wrong_sign_is_named() {
 
 #[test]
 fn an_off_by_one_in_the_scan_is_named() {
-    let mut constants = Vec::new();
-    // "Blocks before mine" takes mine as well: a constant less than a variable.
+    let mut quotients = Vec::new();
+    // "Blocks before mine" takes mine as well: of a thread's number over a block's.
     let spirv = patched(module("ScanGroups"), |words| {
-        if words[0] & 0xffff == CONSTANT {
-            constants.push(words[2]);
+        if words[0] & 0xffff == SHIFT_RIGHT || words[0] & 0xffff == U_DIV {
+            quotients.push(words[2]);
         }
-        let is_before = words[0] & 0xffff == U_LESS_THAN && constants.contains(&words[3]);
+        let is_before = words[0] & 0xffff == U_LESS_THAN && quotients.contains(&words[4]);
         if is_before {
             words[0] = words[0] & 0xffff_0000 | U_LESS_THAN_EQUAL;
         }
