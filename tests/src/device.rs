@@ -28,7 +28,7 @@ pub fn gpu() -> Gpu {
 /// As [`gpu`], or if the scene does not start.
 pub fn gpu_of_long_run(scene: &Scene) -> Gpu {
     static SHARED: Shared = [const { OnceLock::new() }; DEVICES];
-    if env::var_os("BROOKLET_VALIDATION").is_none_or(|value| value != "1") {
+    if !crate::validation::is_asked_for() {
         return gpu();
     }
     let mut seen = Session::new(&gpu(), scene).unwrap_or_else(|error| panic!("{error}"));

@@ -16,6 +16,11 @@ pub const ENDED: &str = "Vulkan's validation layers have a message";
 /// What wgpu says where the layers are asked for and not installed.
 pub const NOT_INSTALLED: &str = "unable to find layer";
 
+/// Whether the layers are asked for.
+pub fn is_asked_for() -> bool {
+    std::env::var_os("BROOKLET_VALIDATION").is_some_and(|value| value == "1")
+}
+
 struct Listener;
 
 /// Hears the layers from now on. Called before a device is opened; more than once does no harm.

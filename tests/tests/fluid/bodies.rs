@@ -53,7 +53,7 @@ fn momentum_goes_from_fluid_to_body_in_free_space() {
     for method in ["pbf", "sph", "dfsph", "none"] {
         let scene = Scene::from_toml(text, "hit", &[format!("solver.method={method}")]).unwrap();
         let mass_kg = body_mass_kg(&scene.solids[0]);
-        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+        let mut session = Session::new(&gpu(), &scene).unwrap();
         let mut momenta = |steps: u32| {
             (0..steps).for_each(|_| session.step().unwrap());
             session.measure().unwrap();
@@ -173,7 +173,7 @@ fn bodies_fall_bounce_and_come_to_rest_on_each_other() {
 #[test]
 fn a_saved_state_goes_on_bit_for_bit() {
     let scene = floating(FLAT_BOX, 400.0, "pbf", 0.025, SHALLOW_M).with_setting("solver.deterministic=true").unwrap();
-    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
     (0..6).for_each(|_| session.step().unwrap());
     let saved = State {
         scene: scene.clone(),

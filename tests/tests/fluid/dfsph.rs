@@ -88,7 +88,7 @@ fn a_compressed_ball_in_free_space_keeps_its_momentum() {
         [[fluid]]\nsphere = { centre_m = [1, 1, 1], radius_m = 0.3 }\nvelocity_spread_m_s = [1, 1, 1]\n\
         [solver]\nmethod = \"dfsph\"\ndt_s = 0.002\n";
     let scene = from_text(text, &[]);
-    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
     let history = run(&mut session, 50, 10);
     let [first, last] = [history[0], history[4]].map(|stats| DVec3::from_array(stats.momentum_kg_m_s));
     let scale = scene.particle_mass_kg() * f64::from(history[0].particles) * history[0].max_speed_m_s;
@@ -193,7 +193,7 @@ fn a_small_dam_break_goes_as_its_twin() {
     let fixed = fixed.map(|setting| format!("solver.dfsph.{setting}"));
     let settings: Vec<&str> = ["spacing_m=0.1"].into_iter().chain(fixed.iter().map(String::as_str)).collect();
     let scene = dam_break(&settings);
-    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
     let mut start = session.read_particles().unwrap();
     start.positions.sort_by_key(|at| id_of(at.tag));
     let mut fluid = twin(&scene, &start.positions, &start.velocities);

@@ -2,7 +2,7 @@
 
 use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::{Scene, Session, Stats};
-use brooklet_tests::gpu_of_long_run;
+use brooklet_tests::{gpu, gpu_of_long_run};
 
 fn scene(name: &str, settings: &[&str]) -> Scene {
     let settings: Vec<String> = settings.iter().map(|&s| s.into()).collect();
@@ -150,7 +150,7 @@ fn a_calm_pool_stays_calm() {
 #[test]
 fn a_particle_that_is_not_finite_is_quarantined_and_spreads_nothing() {
     let scene = scene("calm-pool", &["spacing_m=0.05"]);
-    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
     let mut particles = session.read_particles().unwrap();
     let (positions, velocities) = (&mut particles.positions, &mut particles.velocities);
     positions[100].position_m[1] = f32::NAN;

@@ -1,7 +1,7 @@
 //! What the fluid pushes solids with, as measurements tell it: all that it loses of its momentum, and its weight at rest.
 
 use brooklet_fluid::{FrameRequest, Scene, Session, Stats};
-use brooklet_tests::{gpu_of_long_run, small};
+use brooklet_tests::{gpu, gpu_of_long_run, small};
 use glam::DVec3;
 
 const METHODS: [&str; 4] = ["pbf", "sph", "dfsph", "none"];
@@ -24,7 +24,7 @@ fn a_force_is_the_momentum_that_the_fluid_loses() {
          [outputs]\nmeasure_every_steps = 1\n";
     for method in METHODS {
         let scene = Scene::from_toml(text, "hit", &[format!("solver.method={method}")]).unwrap();
-        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+        let mut session = Session::new(&gpu(), &scene).unwrap();
         let (_, begin, _) = measured(&mut session);
         let begin = DVec3::from_array(begin.momentum_kg_m_s);
         let (mut given, mut before_s, mut lost) = (DVec3::ZERO, 0.0, DVec3::ZERO);

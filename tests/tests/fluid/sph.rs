@@ -7,8 +7,8 @@ use brooklet_gpu::{Plan, Resources};
 use brooklet_reference::solver::Solver;
 use brooklet_reference::solver::sph::compute_density::{compute_density, pressure_of};
 use brooklet_tests::compare::vector;
-use brooklet_tests::gpu_of_long_run;
 use brooklet_tests::twin::twin;
+use brooklet_tests::{gpu, gpu_of_long_run};
 use glam::DVec3;
 
 fn scene(name: &str, settings: &[&str]) -> Scene {
@@ -93,7 +93,7 @@ fn free_fall_is_each_integrators_closed_form() {
 fn momentum_in_free_space_drifts_by_rounding_alone() {
     for settings in [&[][..], &["solver.support_ratio=3", "solver.sph.surface_tension_n_m=5"]] {
         let scene = scene("colliding-drops", &[&["spacing_m=0.05"][..], settings].concat());
-        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+        let mut session = Session::new(&gpu(), &scene).unwrap();
         let history = run(&mut session, 60, 20);
         let last = history.last().unwrap();
         let mass_kg = scene.particle_mass_kg() * f64::from(last.particles);
@@ -108,7 +108,7 @@ fn a_dam_break_is_its_twins() {
     let scene = scene("dam-break", &["spacing_m=0.1", "solver.sph.density_kernel=poly6", "solver.dt_s=0.004"]);
     let start = sample_lattice(&scene);
     let mut fluid = twin(&scene, &start.positions, &start.velocities);
-    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
     let steps = 15;
     for _ in 0..steps {
         session.step().unwrap();
@@ -132,14 +132,14 @@ fn a_dam_break_is_its_twins() {
 #[test]
 fn substeps_are_as_few_as_the_limits_allow_and_add_up() {
     let scene = scene("dam-break", &["spacing_m=0.1", "solver.deterministic=true"]);
-    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
     let history = run(&mut session, 60, 60);
     assert_eq!(history[0].counters.long_substeps, 0);
     assert_eq!(history[0].particles as usize, sample_lattice(&scene).positions.len());
     // The same with as many substeps as there is room for, none of them chosen.
     let fixed = format!("solver.substeps={}", scene.substeps());
     let fixed = scene.with_setting("solver.sph.adaptive_substeps=false").unwrap().with_setting(&fixed).unwrap();
-    let mut other = Session::new(&gpu_of_long_run(&fixed), &fixed).unwrap();
+    let mut other = Session::new(&gpu(), &fixed).unwrap();
     let finer = run(&mut other, 60, 60);
     let [front_m, finer_m] = [&history, &finer].map(|history| history[0].front_m);
     assert!((front_m - finer_m).abs() < 0.02, "{front_m} and {finer_m}");
@@ -150,7 +150,7 @@ fn steps_above_their_limit_are_honoured_and_said() {
     let base = ["spacing_m=0.1", "solver.sph.adaptive_substeps=false"];
     let long = |settings: &[&str]| {
         let scene = scene("dam-break", &[&base[..], settings].concat());
-        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+        let mut session = Session::new(&gpu(), &scene).unwrap();
         let history = run(&mut session, 12, 12);
         assert!((session.simulated_s() - 12.0 * scene.solver.dt_s).abs() < 1e-12);
         // However unstable, no faster than allowed: rounded three times.
@@ -304,7 +304,7 @@ fn every_kind_of_scene_runs_and_keeps_its_particles() {
     ] {
         let scene = scene("dam-break", &[&["spacing_m=0.1"][..], settings].concat());
         let count = scene.particle_count() as u32;
-        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+        let mut session = Session::new(&gpu(), &scene).unwrap();
         let last = *run(&mut session, 24, 24).last().unwrap();
         assert_eq!((last.particles, last.quarantined, last.escaped), (count, 0, 0), "{settings:?}");
         assert!(last.max_speed_m_s < 6.0 && last.compression.max < 0.2, "{settings:?}: {last:?}");
@@ -314,7 +314,7 @@ fn every_kind_of_scene_runs_and_keeps_its_particles() {
 #[test]
 fn one_particle_that_is_not_finite_is_quarantined_and_the_others_go_on() {
     let scene = scene("dam-break", &["spacing_m=0.1"]);
-    let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+    let mut session = Session::new(&gpu(), &scene).unwrap();
     let mut particles = session.read_particles().unwrap();
     particles.velocities[17].velocity_m_s[0] = f32::NAN;
     particles.positions[40].position_m[2] = f32::INFINITY;
@@ -357,7 +357,7 @@ fn the_swirl_and_the_drop_load_and_step() {
     for name in ["swirl", "drop"] {
         let path = format!("{}/../app/fluid/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
         let scene = Scene::load(&path, &[]).unwrap();
-        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+        let mut session = Session::new(&gpu(), &scene).unwrap();
         let last = *run(&mut session, 2, 2).last().unwrap();
         assert_eq!((u64::from(last.particles), last.quarantined), (scene.particle_count(), 0), "{name}");
         assert!(last.max_speed_m_s > 0.0 && last.counters.long_substeps == 0, "{name}: {last:?}");

@@ -131,7 +131,7 @@ fn a_slab_over_walls_is_its_twins() {
         let scene = slab(settings);
         let start = sample_lattice(&scene);
         let mut fluid = twin(&scene, &start.positions, &start.velocities);
-        let mut session = Session::new(&gpu_of_long_run(&scene), &scene).unwrap();
+        let mut session = Session::new(&gpu(), &scene).unwrap();
         for _ in 0..10 {
             session.step().unwrap();
             for _ in 0..scene.substeps() {

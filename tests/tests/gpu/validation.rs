@@ -65,8 +65,7 @@ fn what_the_layers_say_ends_the_run() {
     let right = child("0");
     let said = String::from_utf8_lossy(&right.stderr);
     if said.contains(validation::NOT_INSTALLED) {
-        let asked = env::var("BROOKLET_VALIDATION").is_ok_and(|value| value == "1");
-        assert!(!asked, "BROOKLET_VALIDATION=1, and the layers are not installed");
+        assert!(!validation::is_asked_for(), "BROOKLET_VALIDATION=1, and the layers are not installed");
         println!("skipped: Vulkan's validation layers are not installed here (tools/setup --tests)");
         return;
     }

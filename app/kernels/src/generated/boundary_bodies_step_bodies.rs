@@ -96,5 +96,5 @@ static STEP_BODIES: Module = Module {
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "6b2228d2a0a108d230dc2e73bece7fcb8fdae8ab984b69e7451444ce2e31dad9",
+    hash: "42e3e91372c4ad56109d227b35f14d6b72fe12ac1cf7b06153f1c1219d01eb92",
 };
