@@ -249,6 +249,10 @@ macro_rules! for_each_known_answer {
                 smoothing_lowers_the_error_of_normals_and_keeps_edges: ["smooth_normals"],
                 subdivision_is_nearer_to_a_ball_than_midpoints: ["subdivide_edges"],
             }
+            repel_walls {
+                repel_walls_matches_its_twin: ["repel_walls"],
+                a_wrong_wall_that_repels_is_told_apart: ["repel_walls"],
+            }
             runs {
                 two_deterministic_runs_have_one_hash: [],
                 frames_in_flight_read_back_their_own_values: [],
@@ -305,6 +309,7 @@ macro_rules! for_each_known_answer {
             sph_step {
                 advect_matches_its_twin: ["advect"],
                 choose_time_step_matches_its_twin: ["choose_time_step"],
+                find_fastest_matches_its_twin: ["find_fastest"],
                 end_step_visits_all_again: ["end_step"],
             }
             surface {

@@ -8,6 +8,17 @@ use crate::smoothing_kernel::lattice;
 
 /// What the shaders are given.
 pub fn smoothing_kernel_params(scene: &Scene) -> SmoothingKernelParams {
+    let with_walls = params_with_walls(scene);
+    if scene.domain.wall.model.counts_in_density() { with_walls } else { without_walls(with_walls) }
+}
+
+/// Of walls that are no part of the density, or do not answer to pressure: shares that count nothing.
+pub(crate) fn without_walls(kernel: SmoothingKernelParams) -> SmoothingKernelParams {
+    SmoothingKernelParams { wall_plane: 0.0, wall_edge: 0.0, wall_corner: 0.0, ..kernel }
+}
+
+/// With walls as part of the density, whatever the scene's are.
+pub(crate) fn params_with_walls(scene: &Scene) -> SmoothingKernelParams {
     let (dimensions, support_ratio) = (scene.domain.dimensions, scene.solver.support_ratio);
     let walls = WallScales::new(dimensions, support_ratio);
     SmoothingKernelParams {

@@ -169,6 +169,9 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
     if let Some(body_forces) = &mut body_forces {
         body_forces.record_init(&mut init, scene);
     }
+    if let Some(repel_walls) = &mut context.repel_walls {
+        repel_walls.record_init(&mut init, scene);
+    }
     if let Some(drag_walls) = &mut context.drag_walls {
         drag_walls.record_init(&mut init, scene);
     }
@@ -197,6 +200,9 @@ pub fn record_count(resources: &mut Resources, scene: &Scene, capacity: u32) -> 
             body_forces.record(&mut step, &context, &mut particles);
         }
         solver.record_substep(&mut step, &mut context, &mut particles);
+        if let Some(repel_walls) = &context.repel_walls {
+            repel_walls.record(&mut step, &context, &mut particles);
+        }
         if let (Some(drag_walls), Some(search)) = (&context.drag_walls, solver.search()) {
             drag_walls.record(&mut step, &context, search, &mut particles);
         }

@@ -3,8 +3,8 @@
 use brooklet_gpu::Resources;
 use brooklet_kernels::{Buffer, Counters, StepParams, WallsKeyword};
 
-use crate::boundary::DragWalls;
 use crate::boundary::solids::Solids;
+use crate::boundary::{DragWalls, RepelWalls};
 use crate::emitters::Sources;
 use crate::scene::Scene;
 use crate::slots::Slots;
@@ -21,6 +21,8 @@ pub struct StepContext {
     pub walls: bool,
     /// Whether it has periodic axes.
     pub periodic: bool,
+    /// What repels from its walls, if more than pressure does.
+    pub repel_walls: Option<RepelWalls>,
     /// What drags along its walls, if anything does.
     pub drag_walls: Option<DragWalls>,
     /// The solids in it, if there are any.
@@ -42,6 +44,7 @@ impl StepContext {
             counters: resources.persistent("counters", 1),
             walls: scene.domain.has_walls(),
             periodic: scene.domain.is_periodic(),
+            repel_walls: RepelWalls::declare(resources, scene),
             drag_walls: DragWalls::declare(resources, scene),
             solids: Solids::declare(resources, scene, &slots, &step),
             sources: Sources::declare(resources, scene, capacity),

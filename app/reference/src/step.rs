@@ -1,6 +1,7 @@
 //! A whole substep of whichever solver there is.
 
 use crate::boundary::drag_walls::{WallFaces, drag_walls};
+use crate::boundary::repel_walls::{RepelWalls, repel_walls};
 use crate::boundary::walls::DomainWalls;
 use crate::params::Step;
 use crate::particles::predict::Particle;
@@ -14,6 +15,8 @@ pub struct Fluid {
     pub step: Step,
     /// What walls add to the density; `None` without walls.
     pub walls: Option<DomainWalls>,
+    /// How walls keep the fluid, if more than pressure does.
+    pub repel_walls: Option<RepelWalls>,
     /// How walls drag along them; `None` where none does.
     pub faces: Option<WallFaces>,
     /// What moves the particles.
@@ -24,6 +27,12 @@ impl Fluid {
     /// Advances by one substep.
     pub fn substep(&mut self) {
         let dt_s = self.solver.substep(&mut self.particles, &self.step, self.walls.as_ref());
+        if let Some(walls) = self.repel_walls.filter(|_| dt_s > 0.0) {
+            for particle in self.particles.iter_mut().filter(|particle| particle.is_simulated()) {
+                let velocity_m_s = &mut particle.velocity_m_s;
+                *velocity_m_s = repel_walls(particle.position_m, *velocity_m_s, dt_s, &self.step, &walls);
+            }
+        }
         let (Some(walls), Some(faces)) = (&self.walls, &self.faces) else { return };
         for particle in self.particles.iter_mut().filter(|particle| particle.is_simulated()) {
             let least_m = self.step.wall_offset_m;
@@ -76,8 +85,10 @@ mod tests {
                 coarse_grid: None,
                 forces: Forces { xsph: 0.05, vorticity_m_s },
                 grid_ends_at_domain: false,
+                walls_push: true,
             }),
             walls: None,
+            repel_walls: None,
             faces: None,
         }
     }

@@ -13,4 +13,21 @@ struct WallFace
     float reserved2;
 };
 
+// How walls keep the fluid (boundary/repel_walls.compute).
+static const uint WALLS_BY_DISTANCE = 0;
+static const uint WALLS_BY_PENALTY = 1;
+static const uint WALLS_BY_DEFLECTION = 2;
+
+struct RepelParams
+{
+    uint model;                 // one of these
+    float reach_m;              // of a wall: half a spacing, where the lattice's first layer is
+    float stiffness_per_s2;     // of a penalty, over the particle's mass
+    float damping_per_s;
+    float restitution;          // of a deflection
+    uint reserved0;
+    uint reserved1;
+    uint reserved2;
+};
+
 #endif

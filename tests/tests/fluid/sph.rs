@@ -36,11 +36,11 @@ fn its_plan_has_its_own_stages_and_none_of_another_solver() {
     let fixed = ["spacing_m=0.05", "solver.sph.adaptive_substeps=false"];
     let (plan, variants) = stages(&fixed);
     let measure = "measure_particles measure_totals";
-    assert_eq!(plan, format!("choose_time_step advect {sort} compute_density accelerate {measure}"));
+    assert_eq!(plan, format!("choose_time_step advect {sort} compute_density accelerate find_fastest {measure}"));
     assert!(!variants.contains("SURFACE_TENSION") && !variants.contains("CHOSEN_KERNELS"), "{variants}");
     // Substeps that the GPU chooses, and what ends such a step.
     let (plan, variants) = stages(&["spacing_m=0.05", "solver.dt_s=0.0002"]);
-    let substep = format!("choose_time_step advect {sort} compute_density accelerate");
+    let substep = format!("choose_time_step advect {sort} compute_density accelerate find_fastest");
     assert_eq!(plan, format!("{substep} end_step {measure}"));
     assert!(variants.contains("ChooseTimeStep+ADAPTIVE"), "{variants}");
     let tension = ["solver.support_ratio=3", "solver.sph.surface_tension_n_m=1", "solver.sph.density_kernel=poly6"];

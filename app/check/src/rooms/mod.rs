@@ -37,6 +37,7 @@ pub(crate) mod particles;
 pub(crate) mod periodic;
 pub(crate) mod pictures;
 pub(crate) mod refine;
+pub(crate) mod repel_walls;
 pub(crate) mod runs;
 pub(crate) mod sample;
 pub(crate) mod scan;

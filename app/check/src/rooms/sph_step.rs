@@ -1,20 +1,23 @@
 //! `particles/advect`, and how SPH's substeps are chosen, against their twins.
 
+use std::iter::zip;
+
 use crate::bench::Bench;
 use crate::cases::{Case, fluid, out_of_part, sizes, step_of, step_state};
-use crate::compare::{ROUNDING, vector};
+use crate::compare::{ROUNDING, Worst, vector};
 use crate::device::Device;
 use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, ensure, ensure_eq};
 use brooklet_fluid::particles::id_of;
 use brooklet_fluid::visit_slots;
 use brooklet_kernels::{
-    Advect, AdvectVariant, ChooseTimeStep, ChooseTimeStepVariant, Counters, EndStep, Kernel as _, KickParams, Position,
-    QUARANTINED, SphLimits, SphTimeStep, StepParams, StepState, Velocity,
+    Advect, AdvectVariant, ChooseTimeStep, ChooseTimeStepVariant, Counters, EndStep, FindFastest, Kernel as _,
+    KickParams, Position, QUARANTINED, SphLimits, SphTimeStep, StepParams, StepState, Velocity,
 };
 use brooklet_reference::particles::advect::{Kicks, advect};
 use brooklet_reference::particles::predict::Particle;
 use brooklet_reference::solver::sph::choose_time_step::{Left, Limits, is_long};
+use brooklet_reference::solver::sph::find_fastest::find_fastest;
 use rand::RngExt;
 
 fn run_advect(
@@ -192,6 +195,14 @@ pub(crate) fn choose_time_step_matches_its_twin(device: &Device) {
             ensure_eq!(counters.long_substeps, long, "substep {nth}");
             ensure_eq!([time_step.max_speed_bits, time_step.max_acceleration_bits], [0, 0]);
         }
+        // A substep that is left over leaves them to the next step's first.
+        let left_over = SphTimeStep { substeps_left: 2, ..before };
+        let (state, time_step, _) = run_choose(device, left_over, limits, 0.0, true, 1)[0];
+        ensure_eq!((state.slot_count, time_step.substeps_left), (0, 1));
+        ensure_eq!(
+            [time_step.max_speed_bits, time_step.max_acceleration_bits].map(f32::from_bits),
+            [speed, acceleration]
+        );
         // A dt of the host's own is taken, and counted where it is above the limit.
         for dt_s in [1.0e-4_f32, 1.0e-2] {
             let (state, time_step, counters) = run_choose(device, before, limits, dt_s, false, 1)[0];
@@ -200,6 +211,62 @@ pub(crate) fn choose_time_step_matches_its_twin(device: &Device) {
             worst.check(time_step.limit_s, limit_s, limit_s).or_raise();
             ensure_eq!(counters.long_substeps, u32::from(is_long(dt_s.into(), limit_s)));
         }
+    }
+    worst.report(device);
+}
+
+fn run_find_fastest(device: &Device, case: &Case, accelerations: &[[f32; 4]]) -> [f32; 2] {
+    let mut bench = Bench::new(device);
+    let velocities = bench.input("velocities", &case.velocities);
+    let accelerations = bench.input("accelerations", accelerations);
+    let mut time_step = bench.input("time_step", &[SphTimeStep::default()]);
+    let state = bench.uniform("step_state", case.step_state());
+    bench.dispatch(
+        &FindFastest {
+            velocities: velocities.read(),
+            accelerations: accelerations.read(),
+            time_step: time_step.write(),
+            step_state: state.uniform(),
+        },
+        case.count(),
+    );
+    let found = bench.run().read(&time_step, 1)[0];
+    [found.max_speed_bits, found.max_acceleration_bits].map(f32::from_bits)
+}
+
+/// A length is the root of a sum of three squares: some four roundings.
+pub(crate) fn find_fastest_matches_its_twin(device: &Device) {
+    let mut rng = rng(186);
+    let mut worst = device.worst(FindFastest::STAGE, 4.0 * ROUNDING);
+    for size in sizes(device, FindFastest::GROUP_SIZE[0] as usize) {
+        let case = fluid(&mut rng, size);
+        let accelerations: Vec<[f32; 4]> = (0..size)
+            .map(|i| {
+                let mut one = || rng.random::<f32>() * 400.0 - 200.0;
+                [one(), one(), one(), f32::from(u8::from(i % 5 != 0))]
+            })
+            .collect();
+        let particles: Vec<Particle> = (0..size)
+            .map(|i| {
+                let [x, y, z, was_computed] = accelerations[i];
+                Particle {
+                    acceleration_m_s2: (was_computed > 0.0).then(|| vector([x, y, z])),
+                    ..Particle::of(&case.positions[i], &case.velocities[i])
+                }
+            })
+            .collect();
+        let found = run_find_fastest(device, &case, &accelerations);
+        let expected = find_fastest(&particles);
+        for (found, expected) in zip(found, expected) {
+            worst.check(found, expected, expected.max(1.0)).or_raise();
+        }
+        // Whom it must not overlook, and whom it must.
+        let of_all = find_fastest(&particles[..size.saturating_sub(1)]);
+        let told = zip(found, of_all).any(|(found, expected)| {
+            Worst::new(FindFastest::STAGE, 4.0 * ROUNDING).check(found, expected, expected.max(1.0)).is_err()
+        });
+        let last_leads = size > 0 && of_all != expected;
+        ensure_eq!(told, last_leads, "{size} particles");
     }
     worst.report(device);
 }

@@ -15,9 +15,11 @@
 
 pub mod bodies;
 mod drag_walls;
+mod repel_walls;
 pub mod solids;
 mod walls;
 
 pub use drag_walls::{DragWalls, wall_faces};
+pub use repel_walls::{RepelWalls, repel_params};
 pub use walls::{WallScales, beyond_wall, wall_kernel_fraction};
 pub(crate) use walls::{fitted_wall_kernel_fraction, share, share_slope};

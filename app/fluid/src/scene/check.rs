@@ -117,6 +117,7 @@ impl Scene {
         self.check_domain(&check)?;
         self.check_axes(&check)?;
         self.check_faces(&check)?;
+        self.check_wall(&check)?;
         self.check_solids(&check)?;
         match self.solver.method {
             Method::Pbf => {

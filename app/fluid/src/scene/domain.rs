@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::faces::{Faces, Slip};
+use super::wall::Wall;
 
 /// An axis-aligned box.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -29,6 +30,9 @@ pub struct Domain {
     /// How single walls drag the fluid along them; free-slip where left out.
     #[serde(default, skip_serializing_if = "Faces::is_empty")]
     pub faces: Faces,
+    /// By what walls keep the fluid: its pressure, if left out.
+    #[serde(default, skip_serializing_if = "Wall::is_default")]
+    pub wall: Wall,
 }
 
 impl Domain {

@@ -14,6 +14,7 @@ use super::solids::{OpenFaces, SolidLook};
 use super::solver::{Method, Precision};
 use super::sph::{Integrator, SmoothingKernel};
 use super::update::{Update, UpdateRule};
+use super::wall::WallModel;
 
 const fn within(least: f64, most: f64, unit: &'static str) -> Limits {
     Limits { least, most, unit }
@@ -43,6 +44,9 @@ const DFSPH: &[&str] = &["dfsph"];
 const NONE: &[&str] = &["none"];
 /// Methods whose particles know their neighbours.
 const WITH_NEIGHBOURS: &[&str] = &["pbf", "sph", "dfsph"];
+/// Those whose walls need not answer to pressure. A solve that ends where nothing is compressed has to know its walls: with
+/// penalties or deflections in their place DFSPH's pool of ten layers lost 18 and 47 % of its height.
+const WITH_WALL_MODELS: &[&str] = &["pbf", "sph"];
 /// Those whose velocities get forces of their own in a substep.
 const WITH_FORCES: &[&str] = &["pbf", "dfsph"];
 
@@ -112,6 +116,15 @@ pub const FIELDS: &[Field] = &[
     slip("domain.faces.z_max.slip"),
     friction("domain.faces.z_max.friction"),
     face_speed("domain.faces.z_max.velocity_m_s"),
+    Field::new("domain.wall", Kind::Table, REBUILD).of(WITH_WALL_MODELS),
+    Field::new("domain.wall.model", Kind::Choice(WallModel::NAMES), REBUILD).of(WITH_WALL_MODELS),
+    Field::new("domain.wall.stiffness_per_s2", number(1.0e-9, 1.0e18, "1/s²"), REBUILD)
+        .of(WITH_WALL_MODELS)
+        .logarithmic(1.0e3, 1.0e9),
+    Field::new("domain.wall.damping_per_s", number(0.0, 1.0e12, "1/s"), REBUILD)
+        .of(WITH_WALL_MODELS)
+        .logarithmic(1.0, 1.0e5),
+    Field::new("domain.wall.restitution", number(0.0, 1.0, ""), REBUILD).of(WITH_WALL_MODELS).slider(0.0, 1.0),
     Field::new("fluid", Kind::Tables, RESET),
     Field::new("fluid.*", Kind::Table, RESET),
     Field::new("fluid.*.block", Kind::Table, RESET),

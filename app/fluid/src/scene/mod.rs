@@ -42,6 +42,7 @@ mod terms;
 #[cfg(test)]
 mod tests;
 mod update;
+mod wall;
 
 pub use bodies::{bodies, body_mass_kg, first_body_states, surface_point_count, surface_points};
 pub use change::Change;
@@ -77,6 +78,7 @@ pub use solver::{Method, Precision, Solver};
 pub use sph::{Integrator, SmoothingKernel, SphSettings};
 pub use surface::{AutoSettings, MeshSettings, PointColor, Smoothing, Surface, SurfaceMethod};
 pub use update::Update;
+pub use wall::{Wall, WallModel};
 
 use std::f64::consts::PI;
 

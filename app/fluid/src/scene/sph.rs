@@ -134,7 +134,7 @@ impl Scene {
     }
 
     /// The speed of a fall over the fluid's height in the domain, or of the fastest body at the start.
-    fn expected_speed_m_s(&self) -> f64 {
+    pub(super) fn expected_speed_m_s(&self) -> f64 {
         let g_m_s2 = self.gravity_m_s2;
         let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
         let size = self.gravity_length_m_s2();

@@ -216,6 +216,9 @@ fn the_table_has_every_field() {
     };
     // Of files that are not there.
     let mut stiff = stiff;
+    // Of which no model has all.
+    stiff.domain.wall =
+        Wall { model: WallModel::Penalty, stiffness_per_s2: Some(1.0e4), damping_per_s: Some(100.0), restitution: 0.5 };
     let file = || "there.obj".to_owned();
     stiff.solids.extend([
         SolidSettings {
@@ -343,6 +346,35 @@ fn messages_name_file_field_value_and_what_is_allowed() {
             &["domain.faces.z_min", "no wall stands across z"],
         ),
         (message(SMALL, &["domain.faces.floor.slip=friction"]), &["`floor`", "y_min"]),
+        (
+            message(SMALL, &["domain.wall.model=springs"]),
+            &["domain.wall.model", "springs", "pressure", "distance", "penalty", "deflection"],
+        ),
+        (
+            message(SMALL, &["domain.walls=false", "domain.wall.model=penalty"]),
+            &["domain.wall.model = \"penalty\"", "no walls"],
+        ),
+        (
+            message(SMALL, &["solver.method=dfsph", "domain.wall.model=distance"]),
+            &["domain.wall.model = \"distance\"", "methods that have it: pbf, sph"],
+        ),
+        (
+            message(SMALL, &["domain.wall.model=penalty", "solid=[{ sphere = { radius_m = 0.2 } }]"]),
+            &["domain.wall.model = \"penalty\"", "not with [[solid]]"],
+        ),
+        (
+            message(SMALL, &["domain.wall.damping_per_s=3"]),
+            &["domain.wall.damping_per_s = 3", "needs model = \"penalty\"", "model = \"pressure\""],
+        ),
+        (
+            message(SMALL, &["domain.wall={ model = \"penalty\", restitution = 0.5 }"]),
+            &["domain.wall.restitution = 0.5", "needs model = \"deflection\""],
+        ),
+        (message(SMALL, &["domain.wall.stiffness_per_s2=-1"]), &["domain.wall.stiffness_per_s2 = -1", "1/s²"]),
+        (
+            message(SMALL, &["solver.method=none", "domain.wall.model=penalty"]),
+            &["domain.wall.model", "methods that have it: pbf, sph"],
+        ),
         (
             message(SMALL, &["solver.method=none", "domain.faces.y_min.slip=friction"]),
             &["domain.faces.y_min.slip", "methods that have it: pbf, sph"],

@@ -80,5 +80,5 @@ static DRAG_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/drag_walls.compute",
-    hash: "d7cc03534a6c2c485f2145a55b9939bf03e052db32a71ca2d0357e5b4185f3b6",
+    hash: "42211d6b2c969904aa7894cc4768c9c01913eb13d7d423ca23973f46c4eef0c7",
 };

@@ -6,6 +6,15 @@ use std::mem::{offset_of, size_of};
 
 use bytemuck::{Pod, Zeroable};
 
+/// How walls keep the fluid (boundary/repel\_walls.compute).
+pub const WALLS_BY_DISTANCE: u32 = 0;
+
+/// `WALLS_BY_PENALTY`.
+pub const WALLS_BY_PENALTY: u32 = 1;
+
+/// `WALLS_BY_DEFLECTION`.
+pub const WALLS_BY_DEFLECTION: u32 = 2;
+
 /// How one of the six drags the fluid along it (boundary/drag\_walls.compute).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -31,4 +40,37 @@ const _: () = {
     assert!(offset_of!(WallFace, reserved1) == 24);
     assert!(offset_of!(WallFace, reserved2) == 28);
     assert!(size_of::<WallFace>() == 32);
+};
+
+/// `RepelParams`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct RepelParams {
+    /// one of these
+    pub model: u32,
+    /// of a wall: half a spacing, where the lattice's first layer is
+    pub reach_m: f32,
+    /// of a penalty, over the particle's mass
+    pub stiffness_per_s2: f32,
+    /// `float`.
+    pub damping_per_s: f32,
+    /// of a deflection
+    pub restitution: f32,
+    /// `uint`.
+    pub reserved0: u32,
+    /// `uint`.
+    pub reserved1: u32,
+    /// `uint`.
+    pub reserved2: u32,
+}
+const _: () = {
+    assert!(offset_of!(RepelParams, model) == 0);
+    assert!(offset_of!(RepelParams, reach_m) == 4);
+    assert!(offset_of!(RepelParams, stiffness_per_s2) == 8);
+    assert!(offset_of!(RepelParams, damping_per_s) == 12);
+    assert!(offset_of!(RepelParams, restitution) == 16);
+    assert!(offset_of!(RepelParams, reserved0) == 20);
+    assert!(offset_of!(RepelParams, reserved1) == 24);
+    assert!(offset_of!(RepelParams, reserved2) == 28);
+    assert!(size_of::<RepelParams>() == 32);
 };

@@ -144,7 +144,7 @@ static COLLIDE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "c2705a7542170c0178e9bfdb7dde9680bd230ce6ffd4f05b6420032a2476a596",
+    hash: "877a8036e8972d584462cb14c8b73513ad20aa8228f31a868813888a2e573be4",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
@@ -157,5 +157,5 @@ static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "8d018ce96650c755c74f47b6384b11749a4dd25a9203ec5a7488b0fae0e70eb8",
+    hash: "a8118266b997f3390cf3523fee76542e331bd1b4fec3ce995f36477658a84ef1",
 };

@@ -162,7 +162,7 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "870db2b1f42c5114b149bf6b21ad5eb52b2d846239786bf27ab20347883cb433",
+    hash: "82af633549c73c517c233c3b5ec8d1c151d7e348deb6893a47554ec17a136394",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
@@ -175,7 +175,7 @@ static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "58ccbfede56634ce07465ef05e1633d5e678c4e26dc7069fd60edfe44861decf",
+    hash: "b7abb084484ee2ba69c25cde16d7db0e52e5d2c9dd5745a5ca026ef3cce6f719",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
@@ -188,7 +188,7 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "024955bd1f16da7dd25a2f21344e9994ab92d3112d13d0cbad5b03d6fe96819c",
+    hash: "327b51af5048952a79cc00b97f080008a4a5d701c493b27e929b74c641d05499",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
@@ -201,5 +201,5 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "9694248cc0a7e617d8c99514bf9673652579d1aff55d3b257e6fa9ef37f34307",
+    hash: "037520274177cbff2e16ee853cca8a0427ddb12acdcb69e787050974de6413bf",
 };

@@ -107,5 +107,5 @@ static COLLIDE_DIFFUSE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/collide_diffuse.compute",
-    hash: "1348dae4a2352dd95e01b06de7027e639ab20cce999aec9166180053a4f4387f",
+    hash: "de461dbf1a292f34080a5a4214872860e854dc707f1a88daa3d262b900a0fbe6",
 };

@@ -9,6 +9,7 @@ mod boundary_bodies_layout;
 mod boundary_bodies_step_bodies;
 mod boundary_drag_walls;
 mod boundary_layout;
+mod boundary_repel_walls;
 mod boundary_solids_collide_solids;
 mod boundary_solids_confine_displacements;
 mod boundary_solids_layout;
@@ -93,6 +94,7 @@ mod solver_sph_add_solid_acceleration;
 mod solver_sph_add_solid_density;
 mod solver_sph_choose_time_step;
 mod solver_sph_compute_density;
+mod solver_sph_find_fastest;
 mod solver_sph_layout;
 mod surface_anisotropy;
 mod surface_caustics;
@@ -145,6 +147,7 @@ pub use boundary_bodies_layout::*;
 pub use boundary_bodies_step_bodies::*;
 pub use boundary_drag_walls::*;
 pub use boundary_layout::*;
+pub use boundary_repel_walls::*;
 pub use boundary_solids_collide_solids::*;
 pub use boundary_solids_confine_displacements::*;
 pub use boundary_solids_layout::*;
@@ -229,6 +232,7 @@ pub use solver_sph_add_solid_acceleration::*;
 pub use solver_sph_add_solid_density::*;
 pub use solver_sph_choose_time_step::*;
 pub use solver_sph_compute_density::*;
+pub use solver_sph_find_fastest::*;
 pub use solver_sph_layout::*;
 pub use surface_anisotropy::*;
 pub use surface_caustics::*;
@@ -282,6 +286,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         boundary_bodies_gather_reactions::MODULES,
         boundary_bodies_step_bodies::MODULES,
         boundary_drag_walls::MODULES,
+        boundary_repel_walls::MODULES,
         boundary_solids_collide_solids::MODULES,
         boundary_solids_confine_displacements::MODULES,
         boundary_solids_mark_solids::MODULES,
@@ -357,6 +362,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         solver_sph_add_solid_density::MODULES,
         solver_sph_choose_time_step::MODULES,
         solver_sph_compute_density::MODULES,
+        solver_sph_find_fastest::MODULES,
         surface_anisotropy::MODULES,
         surface_caustics::MODULES,
         surface_count_covered::MODULES,

@@ -143,7 +143,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "49231a3da420ac541622a9840e1316980da50afd9cf78a32ebb3797d2f7bc91a",
+    hash: "4131b054905df402f172833860e123d2b2a5be1ec2cb9563cde15e5626c84339",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "fae2287a6edf3b10a7076e097c7ff358129f0cf6b6a7dd71bef29fec55efb516",
+    hash: "f69dc9850a7f14d4cf8baeb6f4dc1198853a486f242e489565a7093291f6107d",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "0db16fc356dad82b1da4b4a77f96a4cdb4f8349d2d1ad9d1a8e01f122779ac4d",
+    hash: "6f30d8b74e04ce27e499e06571a4ef1a907050870f5ff251d7f1d0613754f9a0",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "4d151415d3894263814c0e75639aca596b36212344d4966c6570a12685bd162c",
+    hash: "9338b32caad96f91b0dccec2e46fed71e2ce9549e22161a6b557553e2d7b3734",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -195,7 +195,7 @@ static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "7445ae448c3340eeecf1de43ba8506b0afeb2c57c97fdefeffd81e77ac3988dc",
+    hash: "98ade97a3c51536b3f852a4ce8aa8ebd17bbe04b328c575dd61664c2fe5ccf05",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -208,5 +208,5 @@ static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "97d8cbe3a4fafdfaed796d37ba6efd6a674d504500332bd78e4cf3402a74caf0",
+    hash: "0e83d9cdb4a99441efefa636df13ce7336000e9fa7a80db4f5c54480d17bb239",
 };

@@ -3,8 +3,8 @@
 //! Kernels of `solver/sph/accelerate.compute`.
 
 use super::{
-    ListHead, Position, PrecisionKeyword, SmoothingKernelParams, SphKernels, SphParams, SphTimeStep, StepParams,
-    StepState, Velocity, VelocityPressure, VelocityPressureNormal,
+    ListHead, Position, PrecisionKeyword, SmoothingKernelParams, SphKernels, SphParams, StepParams, StepState,
+    Velocity, VelocityPressure, VelocityPressureNormal,
 };
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, Buf, BufMut, Kernel, Module, Spirv, StageKind, Tier,
@@ -48,8 +48,6 @@ pub struct Accelerate<'a> {
     pub velocities: BufMut<'a, Velocity>,
     /// `RWStructuredBuffer<float4> accelerations`.
     pub accelerations: BufMut<'a, [f32; 4]>,
-    /// `RWStructuredBuffer<SphTimeStep> time_step`.
-    pub time_step: BufMut<'a, SphTimeStep>,
     /// `ConstantBuffer<StepState> step_state`.
     pub step_state: Uniform<'a, StepState>,
     /// `ConstantBuffer<StepParams> step_params`.
@@ -133,7 +131,6 @@ impl Kernel for Accelerate<'_> {
                 ("list_heads", Some(self.list_heads.id)),
                 ("velocities", Some(self.velocities.id)),
                 ("accelerations", Some(self.accelerations.id)),
-                ("time_step", Some(self.time_step.id)),
                 ("step_state", Some(self.step_state.id)),
                 ("step_params", Some(self.step_params.id)),
                 ("pressure_walls", Some(self.pressure_walls.id)),
@@ -201,16 +198,11 @@ static BINDINGS_0: &[BindingInfo] = &[
         slot: 6,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo {
-        name: "time_step",
-        slot: 7,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
-    },
-    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "pressure_walls", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernels", slot: 11, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 12, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "pressure_walls", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernels", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -241,16 +233,11 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 6,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 16 },
     },
-    BindingInfo {
-        name: "time_step",
-        slot: 7,
-        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
-    },
-    BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "pressure_walls", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernels", slot: 11, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 12, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_state", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "pressure_walls", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernels", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_sph_accelerate.deflate"));
@@ -259,310 +246,310 @@ static ACCELERATE: Module = Module {
     name: "Accelerate",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 15940 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14756 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e33bf119f15f367d26164c8173254eb06eb106e0a5f09d93cf3b31c90e8014ef",
+    hash: "7ca1b78eb9c5f1bd1eb469fd7524c459a433ab58a9512158e62a7fd2e004348a",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 15940, bytes: 15800 },
+    spirv: Spirv::Packed { pack: PACK, first: 14756, bytes: 14616 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "974bcbffadea81abecf12f00ede75d5c53ef0c74fcab1d5414e20ae048334995",
+    hash: "7be3de02c5e831d684a83330869706eb9894d2f8ec8bc0e517a9d74bf614ec69",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 31740, bytes: 15880 },
+    spirv: Spirv::Packed { pack: PACK, first: 29372, bytes: 14696 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "559fed832e32a35e644e69d9a779dfd7745fd5e5b03186ca9297262c354aae33",
+    hash: "fdf10a66f4fcb2c4ad76e8796fc8af9dd016080fbd177fbbec309e6312160a14",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 47620, bytes: 18120 },
+    spirv: Spirv::Packed { pack: PACK, first: 44068, bytes: 16936 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "54df5375d7ff65f10dab33d9c7bf2ccfaff3a48ff1ee74c8f9f4b6b8fce3334b",
+    hash: "c64c953f8b8f2bd87022f9815528ba85fa44aae5121542c27cbba3fd0f243a17",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 65740, bytes: 17980 },
+    spirv: Spirv::Packed { pack: PACK, first: 61004, bytes: 16796 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "fd8c76f0243265ce2ff650852d8249b15f01ee2459e577251613b9648563273d",
+    hash: "ed61cf8202743fe7710c8c5bc3faee6a3cd8381961cb736e1f3b77dd4bf965b9",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 83720, bytes: 18060 },
+    spirv: Spirv::Packed { pack: PACK, first: 77800, bytes: 16876 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "f6dc03a791eb10ab44804d3d182a1fc8339a05004953eb10fc6433f6a7b1a1ab",
+    hash: "8bafcd8abcb96f6efd8058c8830723f765a5890aaee1732bb746f4960710ec63",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 101780, bytes: 18772 },
+    spirv: Spirv::Packed { pack: PACK, first: 94676, bytes: 17604 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "652094d4b00b4672f723d83fae4086043bb0dfb43db18e5798ad92e9676dde70",
+    hash: "8eee14d3b0cc7c382ac455c9daf71ec3a85e7a9b838960f369e797f5345b6b66",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 120552, bytes: 18536 },
+    spirv: Spirv::Packed { pack: PACK, first: 112280, bytes: 17368 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "36bee71d3af1a89820da1085bbec85ecce843d4bef6fc9a1f47a3e0aaced9be7",
+    hash: "aabc0912e6a8835f2c30511b77c03bfb8c1eafff3491e3a2e677f6b858d9caaf",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 139088, bytes: 18536 },
+    spirv: Spirv::Packed { pack: PACK, first: 129648, bytes: 17368 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9e61a7db701fbd94db003124f5ef8904b154ad2c4cfa5beeb5ec104837e030b7",
+    hash: "e256c12d98c15c1c03b6f33579e7256ff59085b8438e6cb87e4e0db263c2cd7b",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 157624, bytes: 20932 },
+    spirv: Spirv::Packed { pack: PACK, first: 147016, bytes: 19764 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6eb3bfa37664656193ccc3f3605f2d1c884288c07b0b82940e30f17c648665ef",
+    hash: "e6705541c27c189776f71a5c32c2e597654002adc128b81e60c031620b15cd47",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 178556, bytes: 20696 },
+    spirv: Spirv::Packed { pack: PACK, first: 166780, bytes: 19528 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9c9c256fe0603e67339e2449b3e6f70be3ac4288a18b97e9a4e9a1e8b0c029b4",
+    hash: "ee617d33a29ec9e337806d24a60a562766c6b4eb31fade453dd6cc92e6db9c4b",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 199252, bytes: 20696 },
+    spirv: Spirv::Packed { pack: PACK, first: 186308, bytes: 19528 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "68b8da0cebbd11d22f047b45d91f620c9a554a9d38b7b69906752204f8a7cc1f",
+    hash: "68a2422e88aae95a31848464c6263690683c7cbf2174e283cef169ad7a85a183",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
     name: "Accelerate+WALLS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 219948, bytes: 18572 },
+    spirv: Spirv::Packed { pack: PACK, first: 205836, bytes: 17388 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "366eb4ba5447e78eb07e1b952bf5392204104dbee63754fa4a6693f3318b3ee1",
+    hash: "bad50b96ffbd9469d22a3b78d6ad36dd9179e42fb5694c305fbea7f928326449",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 238520, bytes: 18432 },
+    spirv: Spirv::Packed { pack: PACK, first: 223224, bytes: 17248 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "2d03729d6ebfdecb3f28956fd5dc88a99b44f6632a388e3c022bb9fbbbb6062f",
+    hash: "256575cf054601da450649d36f6c01edda6bc0d97031b8f7cdefd1f2d1ba7dab",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 256952, bytes: 18512 },
+    spirv: Spirv::Packed { pack: PACK, first: 240472, bytes: 17328 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "e6a2fe7cb7a4c2767771330e76500612ce44c2f27ea0b8bf12874ed3b8c85d9e",
+    hash: "b923a6723fb0e70462309ae88998a02977c4472852541d684fba49e843b5b329",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 275464, bytes: 20752 },
+    spirv: Spirv::Packed { pack: PACK, first: 257800, bytes: 19568 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4d7788682fa1f355dc40d3d44293f6d95de0f6cedfa2b73f52a1636c5dfbac1e",
+    hash: "e4782c9ec311d2d3f4359aa58f94b353c94d48685f8773a859d6b0439db09c14",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 296216, bytes: 20612 },
+    spirv: Spirv::Packed { pack: PACK, first: 277368, bytes: 19428 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "03bcabcacfe24dc812ffe7f3f4302881d357533151eeb4340eaf0ba56a5333c2",
+    hash: "f23989566253703303b47e5f81a1709def929d9fa7873491efd757eecacfff82",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 316828, bytes: 20692 },
+    spirv: Spirv::Packed { pack: PACK, first: 296796, bytes: 19508 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "26135907ccf0088b96933fbfa327a3b170ba809e8e31067383567949303ee27d",
+    hash: "69fe4bf0f18c7b576609e48e6bdca1a4a8f3afe7ac0d3c11cfacb86b1e179f3c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 337520, bytes: 21356 },
+    spirv: Spirv::Packed { pack: PACK, first: 316304, bytes: 20188 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "33c68699df5972ffee91e4bd1789d51dc11223d2d1cba9e051f70dbdb84b9a26",
+    hash: "8d2b63201e34a317056ea247c31c45c0d157f58a217ac3248f7e7ae9ad52db45",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 358876, bytes: 21120 },
+    spirv: Spirv::Packed { pack: PACK, first: 336492, bytes: 19952 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ff799a788bb698d73b948ebdde95e42d708a90dc617a73a1c0abef7d7fb056e7",
+    hash: "e4945a6272abc2aff9bd6c1bdc65de257cae87a672c32fafb23601cb165ca77e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 379996, bytes: 21120 },
+    spirv: Spirv::Packed { pack: PACK, first: 356444, bytes: 19952 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ca29ed2dc02267a6bc1df04e43b5b32d1951e29ee47feaaa691c619821575a68",
+    hash: "22de29a03ed28d0397d8879a6a5f3bded3c788b68ab73ed6b1a809f0e6bf4ee4",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 401116, bytes: 23516 },
+    spirv: Spirv::Packed { pack: PACK, first: 376396, bytes: 22348 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e550945d218f928fd309730e2a14d85a91cdb41cc74c2eefc756038db533ff5b",
+    hash: "c63d1d158552a9495c8d3c5d14fbdf0af0920b99eeac25bc58ac84b00345bae2",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 424632, bytes: 23280 },
+    spirv: Spirv::Packed { pack: PACK, first: 398744, bytes: 22112 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "03b4bde1da3d5c09f72f4c5f51198f7f203e62870d45eca0be639a7c3e356059",
+    hash: "6c1c68c370132b70c862373877bd17bdae74bedc935064d5d0c5ff5d8047f450",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 447912, bytes: 23280 },
+    spirv: Spirv::Packed { pack: PACK, first: 420856, bytes: 22112 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
-    shared_bytes: 8,
+    shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "92892a1918910a1fd489ee98c3369326c2e8b8353cd30bcd04ffabbc1db6aefa",
+    hash: "939c3a78d75afae293c8f34977ffdc180e5b2773485060d6a474f5ffb81ae428",
 };

@@ -108,18 +108,18 @@ static CHOOSE_TIME_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "5755e1b48026043a95331eeb7c839d3e936b8be77512ce5c0008f5b64874c566",
+    hash: "38f0ce0d2e0a4e7498cda591c40cfd330c27cdd1c1b1b90d9308425182ad719a",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5688, bytes: 5536 },
+    spirv: Spirv::Packed { pack: PACK, first: 5688, bytes: 5584 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "23d08ed82951f7f5360f23fa984f1f75d2e1f1716096feb23c013a7d84ade2b4",
+    hash: "78d6b5963ec256cfaa9d6ac204befeeee9eccc18446325c41c9792f817c0f8cf",
 };

@@ -4,6 +4,7 @@
 pub mod bodies;
 pub mod drag_walls;
 pub mod mirror;
+pub mod repel_walls;
 pub mod solids;
 pub mod wall_integrals;
 pub mod walls;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use brooklet_fluid::boundary::wall_faces;
+use brooklet_fluid::boundary::{repel_params, wall_faces};
 use brooklet_fluid::measure::Summary;
 use brooklet_fluid::scene::{Method, Scene, SmoothingKernel};
 use brooklet_fluid::session::{MOST_ROUNDS, NO_COMPRESSION};
@@ -13,6 +13,7 @@ use brooklet_fluid::solver::pbf::{self, IterationWeights};
 use brooklet_fluid::solver::sph;
 use brooklet_kernels::SmoothingKernelParams;
 use brooklet_reference::boundary::drag_walls::WallFace;
+use brooklet_reference::boundary::repel_walls::RepelWalls;
 use brooklet_reference::boundary::walls::{DomainWalls, WallScales};
 use brooklet_reference::params::{self, Forces, NonInteracting, Smoothing, Step};
 use brooklet_reference::particles::advect::Kicks;
@@ -58,6 +59,7 @@ pub fn reference_fluid(setup: &Setup) -> Fluid {
         },
         solver: solver_of(scene),
         walls: walls_of(scene, &smoothing_kernel_params(scene)),
+        repel_walls: repel_params(scene).map(|params| RepelWalls::of(&params)),
         faces: domain.has_dragging_walls().then(|| wall_faces(scene).map(|face| WallFace::of(&face))),
     }
 }
@@ -129,6 +131,7 @@ fn solver_of(scene: &Scene) -> Solver {
                 coarse_grid: coarse_grid.map(Box::new),
                 forces: Forces { xsph: scene.forces.xsph, vorticity_m_s: scene.forces.vorticity_m_s },
                 grid_ends_at_domain: true,
+                walls_push: scene.domain.wall.model.answers_pressure(),
             })
         }
         Method::Sph => Solver::Sph(Box::new(sph_of(scene))),

@@ -37,7 +37,7 @@ float3 TracedPath(Solid solid, float3 place_m, float3 end_m)
         if (gap_m >= steepness * length_m)
             return place_m + rest_m;
         // Who was pushed out is looked at once more.
-        if (k == TRACE_STEPS || length_m <= UNTOUCHED * stop_m && gap_m >= -UNTOUCHED * stop_m)
+        if (k == TRACE_STEPS || (length_m <= UNTOUCHED * stop_m && gap_m >= -UNTOUCHED * stop_m))
             break;
         float share = min(max(gap_m / steepness, LEAST_STEP * stop_m) / max(length_m, 1.0e-30), 1.0);
         place_m += rest_m * share;

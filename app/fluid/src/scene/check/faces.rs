@@ -1,9 +1,9 @@
-//! What the domain's faces may be told.
+//! What the domain's walls and single faces of them may be told.
 
 use super::{Checker, numbers};
 use crate::scene::faces::FACE_NAMES;
 use crate::scene::field::Short;
-use crate::scene::{Face, Method, Scene, SceneError, Slip};
+use crate::scene::{Face, Method, Scene, SceneError, Slip, Wall, WallModel};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -16,6 +16,35 @@ impl Scene {
             }
         }
         Ok(())
+    }
+
+    /// A model of walls that stand, and of each only what it reads.
+    pub(super) fn check_wall(&self, check: &Checker) -> Result<(), SceneError> {
+        let Wall { model, stiffness_per_s2, damping_per_s, restitution } = self.domain.wall;
+        let name = format!("\"{}\"", model.name());
+        let field = "domain.wall.model";
+        let is_chosen = model != WallModel::default();
+        check.require(!is_chosen || self.domain.has_walls(), field, &name, "the domain has no walls")?;
+        check.require(
+            !is_chosen || self.solids.is_empty(),
+            field,
+            &name,
+            "not with [[solid]], which answers to pressure: must be \"pressure\"",
+        )?;
+        for (of, value) in [("stiffness_per_s2", stiffness_per_s2), ("damping_per_s", damping_per_s)] {
+            check.require(
+                value.is_none() || model == WallModel::Penalty,
+                &format!("domain.wall.{of}"),
+                Short(value.unwrap_or_default()),
+                format_args!("needs model = \"penalty\", and model = {name}"),
+            )?;
+        }
+        check.require(
+            restitution == 0.0 || model == WallModel::Deflection,
+            "domain.wall.restitution",
+            Short(restitution),
+            format_args!("needs model = \"deflection\", and model = {name}"),
+        )
     }
 
     fn check_face(&self, check: &Checker, field: &str, axis: usize, face: &Face) -> Result<(), SceneError> {

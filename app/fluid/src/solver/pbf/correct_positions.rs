@@ -27,7 +27,7 @@ pub(super) fn correct_positions(recording: &mut Recording, pbf: &mut Pbf, contex
             counters: context.counters.write(),
             step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
-            kernel: pbf.search.smoothing_kernel.uniform(),
+            kernel: pbf.without_walls.as_ref().unwrap_or(&pbf.search.smoothing_kernel).uniform(),
             pbf: pbf.params.uniform(),
             solids_params,
         },

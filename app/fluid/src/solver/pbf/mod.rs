@@ -16,14 +16,17 @@ mod update_velocity;
 mod warm_start;
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buf, BufMut, Buffer, PbfIteration, PbfParams, PositionLambda, WarmStart};
+use brooklet_kernels::{
+    Buf, BufMut, Buffer, PbfIteration, PbfParams, PositionLambda, SmoothingKernelParams, WarmStart,
+};
 
 use crate::forces::Forces;
 use crate::grid::NeighbourSearch;
 use crate::particles::buffers::Particles;
 use crate::particles::predict;
-use crate::scene::Scene;
+use crate::scene::{Scene, WallModel};
 use crate::smoothing_kernel::{lattice, wendland};
+use crate::smoothing_kernel_params::{smoothing_kernel_params, without_walls};
 use crate::step_context::StepContext;
 pub use chebyshev::{Chebyshev, Weights};
 pub(super) use coarse_correction::{CoarseCorrection, levels as coarse_levels};
@@ -46,6 +49,8 @@ pub struct Pbf {
     weights: IterationWeights,
     iterations: u32,
     s_corr: bool,
+    /// The kernel of the corrections where walls count in the density and do not push.
+    without_walls: Option<Buffer<SmoothingKernelParams>>,
     lambdas: Lambdas,
     momentum: Option<Momentum>,
 }
@@ -137,6 +142,8 @@ impl Pbf {
             forces: Forces::declare(resources, scene, capacity),
             iterations: solver.pbf.iterations,
             s_corr: solver.pbf.s_corr_k > 0.0,
+            without_walls: (scene.domain.wall.model == WallModel::Distance)
+                .then(|| resources.persistent("smoothing_kernel_without_walls", 1)),
             lambdas: match solver.precision.packs_positions() {
                 true => Lambdas::Packed(resources.buffer("position_lambdas", capacity)),
                 false => Lambdas::Full(resources.buffer("position_lambdas", capacity)),
@@ -158,6 +165,9 @@ impl Pbf {
             if let Some(coarse) = &mut momentum.coarse {
                 coarse.record_init(init);
             }
+        }
+        if let Some(kernel) = &mut self.without_walls {
+            init.upload(kernel, &[without_walls(smoothing_kernel_params(scene))]);
         }
         self.search.record_init(init, scene);
         self.forces.record_init(init, scene);

@@ -30,7 +30,6 @@ pub(super) fn accelerate(recording: &mut Recording, sph: &mut Sph, context: &Ste
             list_heads: neighbours.heads.read(),
             velocities: particles.velocities.write(),
             accelerations: sph.accelerations.write(),
-            time_step: sph.time_step.state.write(),
             step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
             pressure_walls: sph.pressure_walls.uniform(),

@@ -8,7 +8,7 @@ use brooklet_kernels::{SmoothingKernelParams, SphKernels};
 use crate::boundary::{WallScales, fitted_wall_kernel_fraction, share, share_slope};
 use crate::scene::{Scene, SmoothingKernel};
 use crate::smoothing_kernel::for_lattice;
-use crate::smoothing_kernel_params::smoothing_kernel_params;
+use crate::smoothing_kernel_params::{params_with_walls, without_walls};
 
 /// W over a factor: coefficients of t³ to t⁶ and of s³, t = 1 - q and s = 1 - 2q where they are not negative.
 #[derive(Clone, Copy, Debug)]
@@ -128,13 +128,15 @@ pub fn sph_kernels(scene: &Scene) -> SphKernels {
 
 /// What walls count in the density: as fluid beyond them would with its kernel.
 pub fn density_walls(scene: &Scene) -> SmoothingKernelParams {
-    walls_of(scene, scene.solver.sph.density_kernel)
+    let walls = walls_of(scene, scene.solver.sph.density_kernel);
+    if scene.domain.wall.model.counts_in_density() { walls } else { without_walls(walls) }
 }
 
 /// What walls answer to pressure: likewise. Not scaled until even pressure leaves the lattice's first layer where it is,
 /// which would be 1.4 times as much at h = 2 d: fluid is no lattice for long, and such walls drove a pool about for ever.
 pub fn pressure_walls(scene: &Scene) -> SmoothingKernelParams {
-    walls_of(scene, scene.solver.sph.pressure_kernel)
+    let walls = walls_of(scene, scene.solver.sph.pressure_kernel);
+    if scene.domain.wall.model.answers_pressure() { walls } else { without_walls(walls) }
 }
 
 /// Half a spacing in h: where the lattice's first layer is.
@@ -144,7 +146,7 @@ fn wall_distance(scene: &Scene) -> f64 {
 
 /// What makes a wall bear the half of a first layer's weight that the fluid above leaves to it.
 pub(super) fn borne_scale(scene: &Scene) -> f64 {
-    let walls = pressure_walls(scene);
+    let walls = walls_of(scene, scene.solver.sph.pressure_kernel);
     let s = wall_distance(scene);
     let fraction = walls.wall_kernel_fraction.map(f64::from);
     0.5 / (f64::from(walls.wall_plane) * (share(fraction, s) + s * share_slope(fraction, s)))
@@ -166,7 +168,7 @@ fn wall_fraction(dimensions: u32, kernel: SmoothingKernel) -> [f64; 4] {
 }
 
 fn walls_of(scene: &Scene, kernel: SmoothingKernel) -> SmoothingKernelParams {
-    let wendland = smoothing_kernel_params(scene);
+    let wendland = params_with_walls(scene);
     if kernel == SmoothingKernel::Wendland {
         return wendland;
     }

@@ -149,6 +149,7 @@ impl Sph {
             add_solid_acceleration(recording, self, solids, (&context.slots, &context.step), particles);
             solids.record_gather(recording, &self.search.sorted.positions);
         }
+        self.time_step.find_fastest(recording, &context.slots, &particles.velocities, &self.accelerations);
     }
 
     /// What the next substep's move takes of the last one's acceleration, by slot.

@@ -1,14 +1,16 @@
-//! How long a substep is, and how long it may be. (Shader: `solver/sph/choose_time_step.compute`.)
+//! How long a substep is, and how long it may be. (Shaders: `solver/sph/find_fastest.compute`,
+//! `choose_time_step.compute`.)
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, ChooseTimeStep, ChooseTimeStepVariant, SphLimits, SphTimeStep};
+use brooklet_kernels::{Buffer, ChooseTimeStep, ChooseTimeStepVariant, FindFastest, SphLimits, SphTimeStep, Velocity};
 
 use crate::scene::Scene;
+use crate::slots::Slots;
 use crate::step_context::StepContext;
 
 /// The limits, and what the substeps came to.
 pub(super) struct TimeStep {
-    pub(super) state: Buffer<SphTimeStep>,
+    state: Buffer<SphTimeStep>,
     limits: Buffer<SphLimits>,
     adaptive: bool,
 }
@@ -52,5 +54,24 @@ impl TimeStep {
             limits: self.limits.uniform(),
         };
         recording.dispatch_groups(&kernel, [1; 3]);
+    }
+
+    /// Notes what limits the next substep.
+    pub(super) fn find_fastest(
+        &mut self,
+        recording: &mut Recording,
+        slots: &Slots,
+        velocities: &Buffer<Velocity>,
+        accelerations: &Buffer<[f32; 4]>,
+    ) {
+        slots.dispatch(
+            recording,
+            &FindFastest {
+                velocities: velocities.read(),
+                accelerations: accelerations.read(),
+                time_step: self.state.write(),
+                step_state: slots.state.uniform(),
+            },
+        );
     }
 }

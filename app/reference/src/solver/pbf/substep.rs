@@ -30,6 +30,8 @@ pub struct Pbf {
     pub forces: Forces,
     /// Whether particles outside the domain have no neighbours, being outside the grid.
     pub grid_ends_at_domain: bool,
+    /// Whether walls that count in the density push, too.
+    pub walls_push: bool,
 }
 
 /// The iterations of a substep.
@@ -203,6 +205,7 @@ impl Pbf {
         parallel::map(positions_m.len(), |i| {
             let none = |_, _| DVec3::ZERO;
             let (start_m, list) = (predicted_m[i], &neighbours[i]);
+            let walls = walls.filter(|_| self.walls_push);
             correct_positions(i, positions_m, start_m, lambdas, list, step, smoothing, pbf, walls, none).position_m
         })
     }

@@ -3,6 +3,7 @@
 use super::accelerate::{Flow, accelerate};
 use super::choose_time_step::{Left, Limits};
 use super::compute_density::{Kernels, Terms, compute_density};
+use super::find_fastest::find_fastest;
 use crate::boundary::walls::DomainWalls;
 use crate::grid::list_neighbours::list_by_cells;
 use crate::params::{Smoothing, Step};
@@ -42,10 +43,10 @@ impl Sph {
             let [speed_m_s, acceleration_m_s2] = self.maxima;
             let chosen = limits.choose(limits.limit_s(speed_m_s, acceleration_m_s2), self.left);
             self.left = chosen.left;
-            self.maxima = [0.0; 2];
             if chosen.dt_s == 0.0 {
                 return 0.0;
             }
+            self.maxima = [0.0; 2];
             step.dt_s = chosen.dt_s;
         }
         for particle in particles.iter_mut() {
@@ -56,12 +57,11 @@ impl Sph {
             if !particle.is_simulated() {
                 continue;
             }
-            let [speed_m_s, most_m_s2] = self.maxima;
-            self.maxima = [speed_m_s.max(particle.velocity_m_s.length()), most_m_s2.max(acceleration_m_s2.length())];
             particle.acceleration_m_s2 = Some(acceleration_m_s2);
             let kicked_m_s = particle.velocity_m_s + acceleration_m_s2 * (self.kicks.end * step.dt_s);
             particle.velocity_m_s = step.slowed(kicked_m_s).0;
         }
+        self.maxima = find_fastest(particles);
         step.dt_s
     }
 
