@@ -14,9 +14,8 @@ struct WallFace
 };
 
 // How walls keep the fluid (boundary/repel_walls.compute).
-static const uint WALLS_BY_DISTANCE = 0;
-static const uint WALLS_BY_PENALTY = 1;
-static const uint WALLS_BY_DEFLECTION = 2;
+static const uint WALLS_BY_PENALTY = 0;
+static const uint WALLS_BY_DEFLECTION = 1;
 
 struct RepelParams
 {

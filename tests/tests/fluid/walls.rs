@@ -1,5 +1,7 @@
 //! Walls that drag: channels against their closed forms, friction against its own, and what a plan has of them.
 
+use std::iter::zip;
+
 use brooklet_fluid::particles::{id_of, sample_lattice};
 use brooklet_fluid::{Scene, Session, record};
 use brooklet_gpu::{Plan, Resources};
@@ -126,26 +128,27 @@ fn a_moving_wall_takes_the_fluid_along() {
 }
 
 #[test]
-fn walls_that_pressure_keeps_have_no_stage_and_no_buffer() {
+fn walls_that_do_not_repel_have_no_stage_and_no_buffer() {
     let parts = |settings: &[&str]| parts(settings, RepelWalls::STAGE, "repel_params");
     for method in ["pbf", "sph"] {
         let method = format!("solver.method={method}");
         assert_eq!(parts(&[&method]), (false, 0));
         assert_eq!(parts(&[&method, "domain.wall.model=pressure"]), (false, 0));
+        assert_eq!(parts(&[&method, "domain.wall.model=distance"]), (false, 0));
         assert_eq!(parts(&[&method, "domain.wall.model=penalty"]), (true, 1));
     }
 }
 
 #[test]
 fn a_slab_that_falls_on_walls_which_repel_is_its_twins() {
-    let models = ["distance", "penalty", "deflection"].map(|model| format!("domain.wall.model={model}"));
+    let models = ["penalty", "deflection"].map(|model| format!("domain.wall.model={model}"));
     // Substeps of the GPU's choice would be one more or less where a rounding decides, and a contact's first differs by that.
-    let all = [["pbf", "solver.substeps=2"], ["sph", "solver.sph={ adaptive_substeps = false }"]];
-    for ([method, substeps], model) in all.iter().flat_map(|method| models.iter().map(move |model| (method, model))) {
+    let all = ["solver={ method = \"pbf\" }", "solver={ method = \"sph\", sph = { adaptive_substeps = false } }"];
+    let steps = ["solver.dt_s=0.004", "solver.dt_s=0.0005"];
+    for ((method, dt), model) in zip(all, steps).flat_map(|method| models.iter().map(move |model| (method, model))) {
         let scene = slab(&[
-            &format!("solver.method={method}"),
-            substeps,
-            "solver.dt_s=0.0005",
+            method,
+            dt,
             model,
             "gravity_m_s2=[0,-9.81,0]",
             "fluid.0.velocity_m_s=[0.5,-1,0]",

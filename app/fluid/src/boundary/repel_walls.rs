@@ -1,8 +1,8 @@
 //! Walls that keep the fluid by what they do to velocities across them: one pass at a substep's end, and none where its
-//! pressure keeps it. (Shader: `boundary/repel_walls.compute`.)
+//! pressure or their stop keeps it. (Shader: `boundary/repel_walls.compute`.)
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, RepelParams, WALLS_BY_DEFLECTION, WALLS_BY_DISTANCE, WALLS_BY_PENALTY};
+use brooklet_kernels::{Buffer, RepelParams, WALLS_BY_DEFLECTION, WALLS_BY_PENALTY};
 
 use crate::particles::buffers::Particles;
 use crate::scene::{Scene, WallModel};
@@ -13,11 +13,10 @@ pub struct RepelWalls {
     params: Buffer<RepelParams>,
 }
 
-/// What the shaders are given; none where pressure keeps the fluid.
+/// What the shaders are given; none where pressure or the walls' stop keeps the fluid.
 pub fn repel_params(scene: &Scene) -> Option<RepelParams> {
     let model = match scene.domain.wall.model {
-        WallModel::Pressure => return None,
-        WallModel::Distance => WALLS_BY_DISTANCE,
+        WallModel::Pressure | WallModel::Distance => return None,
         WallModel::Penalty => WALLS_BY_PENALTY,
         WallModel::Deflection => WALLS_BY_DEFLECTION,
     };
@@ -32,7 +31,7 @@ pub fn repel_params(scene: &Scene) -> Option<RepelParams> {
 }
 
 impl RepelWalls {
-    /// None where pressure keeps the fluid.
+    /// None where pressure or the walls' stop keeps the fluid.
     pub(crate) fn declare(resources: &mut Resources, scene: &Scene) -> Option<Self> {
         repel_params(scene).map(|_| Self { params: resources.persistent("repel_params", 1) })
     }
@@ -68,11 +67,13 @@ mod tests {
     #[test]
     fn walls_repel_by_their_model_alone() {
         assert_eq!(repel_params(&scene(&[])), None);
+        assert_eq!(repel_params(&scene(&["domain.wall.model=distance"])), None);
         let of = |setting: &str| repel_params(&scene(&[setting])).unwrap();
-        assert_eq!(of("domain.wall.model=distance").model, WALLS_BY_DISTANCE);
         let penalty = of("domain.wall={ model = \"penalty\", stiffness_per_s2 = 400, damping_per_s = 3 }");
         assert_eq!((penalty.model, penalty.stiffness_per_s2, penalty.damping_per_s), (WALLS_BY_PENALTY, 400.0, 3.0));
         let own = of("domain.wall.model=penalty");
+        let dt_s = 1.0 / 240.0;
+        assert!(f64::from(own.stiffness_per_s2) * dt_s * dt_s <= 0.0901, "{own:?}");
         assert!((own.damping_per_s - 2.0 * own.stiffness_per_s2.sqrt()).abs() < 1e-3 * own.damping_per_s);
         let deflection = of("domain.wall={ model = \"deflection\", restitution = 0.5 }");
         assert_eq!((deflection.model, deflection.restitution), (WALLS_BY_DEFLECTION, 0.5));

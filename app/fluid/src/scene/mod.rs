@@ -235,9 +235,11 @@ impl Scene {
 
     /// How near a wall a particle's middle may come, m: half a spacing, as the lattice starts. Nearer, the layer there would
     /// make room for more fluid than there is; what comes nearer the walls' density alone did not hold back. Fluid mirrored in
-    /// walls holds itself back, and a stop at a half would bear what its lowest layer swings by.
+    /// walls holds itself back, and a stop at a half would bear what its lowest layer swings by; so are walls that repel, whose
+    /// own stop a half is.
     pub fn wall_offset_m(&self) -> f64 {
-        let spacings = if self.solver.method.mirrors_walls() { 0.25 } else { 0.5 };
+        let is_held = self.solver.method.mirrors_walls() || self.repels_at_walls();
+        let spacings = if is_held { 0.25 } else { 0.5 };
         spacings * self.fitted_spacing_m()
     }
 

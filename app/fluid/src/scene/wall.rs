@@ -4,6 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::{Method, Scene};
 
+/// Root of the largest k_s dt² that a scene gets by itself. With 1 a pool of PBF at 1/240 s boiled: its iterations press particles
+/// into springs that then throw them out.
+const PENALTY_STEP: f64 = 0.3;
+
 /// By what walls keep the fluid.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -13,8 +17,8 @@ pub enum WallModel {
     /// pressure by the slope of what they count.
     #[default]
     Pressure,
-    /// They count in the density by that function, and bring particles back to half a spacing from themselves (Harada, Koshizuka
-    /// & Kawaguchi 2007, eq. 11).
+    /// They count in the density by that function, and bring whoever would come nearer than half a spacing back to that (Harada,
+    /// Koshizuka & Kawaguchi 2007, eq. 11), which walls of the first model do, too.
     Distance,
     /// A spring and a damper on whoever is nearer than half a spacing (Tang, Wu & Zhou, eq. 9; Moore & Wilhelms 1988).
     Penalty,
@@ -51,7 +55,7 @@ pub struct Wall {
     /// By what walls keep the fluid.
     pub model: WallModel,
     /// Stiffness k_s of the penalty over a particle's mass, 1/s². Default: that with which the fastest fall of the fluid ends
-    /// within a quarter of a spacing.
+    /// within a quarter of a spacing, but no more than .09 / dt² of a substep dt.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness_per_s2: Option<f64>,
     /// Damping k_d of the penalty over a particle's mass, 1/s. Default: 2 √k_s, with which nothing swings.
@@ -71,8 +75,12 @@ impl Wall {
 impl Scene {
     /// Stiffness of the walls' penalty over a particle's mass, 1/s².
     pub fn wall_stiffness_per_s2(&self) -> f64 {
-        let within_m = 0.25 * self.spacing_m;
-        self.domain.wall.stiffness_per_s2.unwrap_or_else(|| (self.expected_speed_m_s() / within_m).powi(2))
+        let stops_per_s = self.expected_speed_m_s() / (0.25 * self.spacing_m);
+        let substep_s = match self.solver.method {
+            Method::Sph => self.sound_limit_s().min(self.steady_limit_s()),
+            Method::Pbf | Method::Dfsph | Method::None => self.substep_s(),
+        };
+        self.domain.wall.stiffness_per_s2.unwrap_or_else(|| stops_per_s.min(PENALTY_STEP / substep_s).powi(2))
     }
 
     /// Its damping, 1/s.
@@ -80,8 +88,8 @@ impl Scene {
         self.domain.wall.damping_per_s.unwrap_or_else(|| 2.0 * self.wall_stiffness_per_s2().sqrt())
     }
 
-    /// Whether walls keep the fluid by more than its pressure.
+    /// Whether walls keep the fluid by a stage of their own: by neither its pressure nor their stop.
     pub fn repels_at_walls(&self) -> bool {
-        self.domain.has_walls() && self.solver.method != Method::None && !self.domain.wall.model.answers_pressure()
+        self.domain.has_walls() && !self.domain.wall.model.counts_in_density()
     }
 }

@@ -80,5 +80,5 @@ static DRAG_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/drag_walls.compute",
-    hash: "42211d6b2c969904aa7894cc4768c9c01913eb13d7d423ca23973f46c4eef0c7",
+    hash: "a5908d58aeb0b4555c0760c780edee3d0c93a88151f2187eac35a690248f1946",
 };

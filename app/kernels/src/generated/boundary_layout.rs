@@ -7,13 +7,10 @@ use std::mem::{offset_of, size_of};
 use bytemuck::{Pod, Zeroable};
 
 /// How walls keep the fluid (boundary/repel\_walls.compute).
-pub const WALLS_BY_DISTANCE: u32 = 0;
-
-/// `WALLS_BY_PENALTY`.
-pub const WALLS_BY_PENALTY: u32 = 1;
+pub const WALLS_BY_PENALTY: u32 = 0;
 
 /// `WALLS_BY_DEFLECTION`.
-pub const WALLS_BY_DEFLECTION: u32 = 2;
+pub const WALLS_BY_DEFLECTION: u32 = 1;
 
 /// How one of the six drags the fluid along it (boundary/drag\_walls.compute).
 #[repr(C)]

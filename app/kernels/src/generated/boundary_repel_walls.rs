@@ -66,11 +66,11 @@ static REPEL_WALLS: Module = Module {
     name: "RepelWalls",
     entry: "RepelWalls",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6116 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5732 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/repel_walls.compute",
-    hash: "0eb8e07c24032c4122b349481101f0430f8e2fcb206fce45321215ef650a6207",
+    hash: "746ae10991f15bba716930cb62b96e352c786a850f52eb347b47f07c8c38f7ec",
 };

@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "73a9a5acb3c8c26e3723b354ddc6f5a13e094c88fcb975005f3b72bdbcf7e281",
+    hash: "8328d2c1b0f31031526ee6726db25b49b6eaa96e3ed4ddb0415796113f9f9d04",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "e438cf84c5af92a51a868dc34b877620f1b0ce7715e770d072e813d7f0d708be",
+    hash: "231c9f88a5dcb2191a4a0ddb15af5ffc237d2b160db8460919462ab8270ffc22",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "131189d46a1267438f85692ef38615e21fc91d2af7a9ea7844ec37f55c47dd6a",
+    hash: "5d74284b8899af02e3e69c3ceabbaa0e6103bfb7725b551806d969dc345a7481",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "7d51f068372f5c092b2388ed885f57b99db7dc921ea644e0dcdea4972b62b1f9",
+    hash: "dba0c210282531c885d2f44d5e50bb0c80edb6ce69900a72f5f89f4b0aaf9c0d",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "68a9562709226ef31708058af116eb904ae635300b1e6ab5643e6f4d94b70041",
+    hash: "14d98de3c2e0c96f160a8bce7fb195b069f12ac34fa8af1e69dd09aa6c453cf5",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "3d3c159530c5b149e6e3c446df27fca49e095818ff5394665b9cccf0e7d9f20b",
+    hash: "eaa523736a63429e7e38cc977a2b9157a11344e241073b661466dd7f96190437",
 };

@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "ef2061c783783aab548e75c514b9173f890b9c5818736c3ef915f002604f398a",
+    hash: "34207e52b90877ef4944df1b0c699c1a8c73d59f3512f8df1adcba47e99c70f8",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "424dba706bdeaf2367a63b63add16009bd5265ccdef50482d73eae95fc8814bc",
+    hash: "78539a61054f86531ced2899e466e4e4f91d6d5b95bd9611af03d965fdbfeb54",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "aae2f6a9024185645e4c78fbef3551cd8bc9cba4b014ae819a31566d569a69de",
+    hash: "0272633216ea28b5fd14fb76fff718108a39af85c635d747d459bf5c6f012598",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "293260bf61c279ad98fb9d3081352b0d0cc1a691d29be18fbe8c845970077e39",
+    hash: "39973153119a26248f1ebbf7d7ae0394df8f3cbef48673f43634c97d01ec0d1a",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "8977ae3e6c3536e5ecd7188beed14f9e5d830093ea457ff0579f3ee224b064ee",
+    hash: "8cdeda49321e91c4c2ba1931020c51c34580cbebb4acf20d4e88b9ac61dce867",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "06567f75e8abc4d90d41f6f3a5763981e7f127275b9104c13b4c8cd80e3169bd",
+    hash: "66fe081f23befc8e8478db8e04c692f72121bec084492231c77f2179f015cd2f",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "1607279b0aad0821e5bee8a5d6fd9f0b30316cdf894b95b19821387f6bd33e72",
+    hash: "0443a9788d8c0f954f3f521d746c3f98546def370efda9a7ae18aa23a0b63e46",
 };

@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "68ed381aa60b9b289d49104deb6dfda52383cfaffad36d2dd6024bc2873f823f",
+    hash: "ebef10b16a7d93788c0064a2f603fce215fb0f59fecb47ffde2b6dd12276b67e",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "5039d9ce95895ba425e414c17314b995ccec2fbbbc5aa0c05b3dd5280298435d",
+    hash: "171ae7200e415cda0e6df04095d557c9d0b3133084ca05b0ddce96925501a569",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "dd7b7d80d801fdbabda1c2bab2c0ad5af1401a51e5cc5e90d8fbeb9152571c49",
+    hash: "9195e6ad1cd0acc90476c23ff49d0917858269383d4d58c7faf79c171908d84e",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "4c895eae11c1f055b6eb683d8699a80dec4ab791967aed7e2f8576e71d89f924",
+    hash: "5a2eae06dda7389abb38b9db75ba5c308991a1d951be48cce45e489532369532",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "d8ca875d7d1486aa20a089dfcd108de3f55a9efd0b4d4dbb351938c303020b16",
+    hash: "c947ee7cf97505711e191f3a041413eb676999a87b7f8dae7ff31146e93b902a",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "7838141cd771221c0f5ba81d3efaf93429e77da224e787551bbead6115afff2f",
+    hash: "e93ad1065d88f43b9e87cc7fc37f95a8418d8da7ed8efcbe1cba74965bc4fec4",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "3cd62c3dc5f636f4fcd8ff17cdb2e1ede5f96cd93e6b807084e8188a08edb912",
+    hash: "263e8fb86eb7c063f7cbf1ef05feca938917ad3df11f505e48f76256fb6b07ec",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "9106277c74ef3efffe9cde1f3ee754d954a865c7994941ce05f02ef88b4f45fc",
+    hash: "93e0af0a1452658d310b3941f1aee5e63215786d4a94a48d646f7f76cabf5639",
 };

@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "0e0b7235ad0a3d08b8b9e125c2755a569998b2a32033040ff09128bbbbf2a662",
+    hash: "33ed8a201ee796f96cce424eccce1dee1d3bc5c472aeebab8cd3149f52801c46",
 };

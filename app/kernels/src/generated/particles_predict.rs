@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "395cc314c155cd89647dbcc778516d217c12b4d7b01a749c72a7bede90891da6",
+    hash: "0b23a41ae958d0deeba80dadb9aa0339f6e3ec3eddfdee8a20595a4b5f0b3f06",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "889ed1efac0438a29a018e3ef7db6fe13af978788c4eb8a74c3e05c11e7c917f",
+    hash: "a690150aab42d0f7237557177da054dcbfffef5ae97747a939d84e843abb4244",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "34ac274dae3d45b78d4e4f4fe5f338971dbbb4bea2f4245b2baa2092a42806b4",
+    hash: "c1dfb448abc45fc33fb8a818ffe374efcf97ee34778edcfd84a51a06f55bef4d",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "da6ba0894f37e3fe40f049ea1216c18446f97b0e0ba605b41c89bb502d626a0f",
+    hash: "2a4f5f21c9322f163c2f64fbe392d2476daee11710106a432217c887ac0a1cfc",
 };

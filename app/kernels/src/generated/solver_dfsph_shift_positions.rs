@@ -143,7 +143,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "4131b054905df402f172833860e123d2b2a5be1ec2cb9563cde15e5626c84339",
+    hash: "9f34823c825d69516c8a10843479f5067e117dc1fb9bdf855fe2e737b8646129",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "f69dc9850a7f14d4cf8baeb6f4dc1198853a486f242e489565a7093291f6107d",
+    hash: "1ddf37f5dd165ae56fd4f79175501329d70d2d0d5dac904cc8476d2df156f386",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "6f30d8b74e04ce27e499e06571a4ef1a907050870f5ff251d7f1d0613754f9a0",
+    hash: "ff8ca25cffabfba9fff84beae7644a8201334529dd1833864a4cf7cc51c8717d",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "9338b32caad96f91b0dccec2e46fed71e2ce9549e22161a6b557553e2d7b3734",
+    hash: "bd9692dd8e848c277755802bbacef82f955a6c431a75643ea67618ca4aec1cc6",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -195,7 +195,7 @@ static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "98ade97a3c51536b3f852a4ce8aa8ebd17bbe04b328c575dd61664c2fe5ccf05",
+    hash: "757028a09aed303bceecb94d0e8ad6fa75565eadd669d005df746e8c271b584d",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -208,5 +208,5 @@ static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "0e83d9cdb4a99441efefa636df13ce7336000e9fa7a80db4f5c54480d17bb239",
+    hash: "febba72a8f971e11296fcf57448db17c62829d278b979da58a4d83ca44228222",
 };

@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "03ea9d1b81f7b95855fe2e523c2c0023ffbe731b12ecfb8de3a0c40f0c9c5bee",
+    hash: "496bb1fdd7fd34a2cd23b0b296c78181a583acc67dd3852a59fcfe979be01d61",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "bf2aaa293ea24fa6e95a4a96fe1ff36b9886f990dfd4a6e05537785f6c372265",
+    hash: "555937c731c6829dbb89a5aa516daf680ba282afeba9bddfceee8fe1e66a0a3a",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "1ce46899cee0a447f0e5d9d93539f7c7afce4806b9ebd213008d5d2c19759ed8",
+    hash: "2943ec162348cad7ab4d32b661f2c69919df8b53cf3d79ed6a19f3074854f423",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "54bff575185a3d0d6c1520073f770be3681fa087e1453747df5d158e30a9a135",
+    hash: "683e0e39fb36b2f361c2793c50451d0e1d20306911e1467b00c1624b2f3455ce",
 };

@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8fd2b878560c013c6eaf72c08765778798dff84b2dee6c6f04e8d65fd698f37a",
+    hash: "68293970dd5e1e6aa3dea640a93bce2e70ed0f5997d7e2b2f015a46cf011557b",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e20bf4037e026f79666a18353ef84041f21bbe6f7ca7c69e481408ed3c44876e",
+    hash: "9541af19b3bff68014d05071785ba0f67fe8034ff13801d7a84b47297b4e1c44",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c5fe7d5dfbe76042084db0e8982aa5ba41eb8164ff907eef2ad6c11c93a25f04",
+    hash: "65ccb32dd0fc649ae1826f616cc72d6e1b4f5d011767bd3b8be7dae81dd350e5",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "37d97ba7e9ce8e9411e16dbf059b13d88163ba69cdcb8857da353d3616a3d9cc",
+    hash: "b186de20e287d593194250519cc450478dcc0d2aea36097429a18d00a4724779",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eababce72f6bf45eea79393336d88e6d4133932bcbb57811a621b0df7b7383dc",
+    hash: "b2d348f217e497452a70457d1bc6ba084a877d8fceea1b044c9b9308ae4011d4",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1766918cf051227dc3379215dcfe1f02e6026ebae0bec4eed64530e6be34b871",
+    hash: "14b6e6e14a4bf9e779c2ad9bfeff6a1f7acf6a5fab01b1315df34db80765ee4a",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a1459643c0c8237ee6c8ec7e628a087dc079ac480e27b525346d4756c26c39fe",
+    hash: "75303c71258b0e0a40527c0cffdf10be7831a62adcac5a3e760f77d503371680",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "324f443c94b9671adb05c0aa71a60c61296f7fba8cd7932a96478832dc76bab8",
+    hash: "50ae9eebe22c1bc87255ce4f07f2d37f8e6f06fcc83d1570b5b6b1e810d26fad",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "899dd7ce91fbdf1c57016d0d4c5e18816510d75d61318461774726a0bc36a759",
+    hash: "d7a14c7591b071ea6add0c0069598f0d0edae419734ff223612931a917bcc4b0",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "798192ae24b692137d4d9e8edf0a07be7fa397eb1eab4ce158999ef435a44464",
+    hash: "62053e5ba9ad1d090a161abeb2f9714c366777ac6bf7a4881a18b754e2d6588e",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f49abfbb6c9f92785c8c279a74eb9eb87ca8ecb03d8248384ff87dd5da6c6f9d",
+    hash: "143e5663c6e15c3aca43c72dd4efb15b38ca15f66d604433be6d9447babe2330",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6fe10150cbb1673ce5cc608568005d6dc470d537e9078a5c7abedb7a41867194",
+    hash: "01ed78f4562db5609a1ea929cd9fe2dec9d9cf4cd1471cb072f91d02061ee860",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e235fdaac18d8ad8cabed2b66bda50cbb42a0d714b8537b52cf8cb27079982e7",
+    hash: "f62fcfe46111e4b0d9814ee8342a28af15409bc35690bf836e883f663c2a9b67",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "75647be312c34d1a6bfcb57754080837448e832c38ba1e92484a41c5217ee976",
+    hash: "c75a3d2247c4d4b2b2877ca5c38d3a2329fdec6f7424a6e660d186d04bf04e5d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ace8a74d73e4430bab239f47d17d57461af40ff94c6166d59404490ed63a6bb9",
+    hash: "ea36a22cb7e060cf04984a4bdcf5c9c4237b1e13540a68bc3347845c6ea75631",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "31e46d84878fa990fb263cc2f840d7310c00df96a2d9bab5aa00d1d606ba076f",
+    hash: "2d22522c9f39527da1765b09e9b1b78281c6f20bfdb3fc76e9ea6dbd1405609a",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b7fd64857d63ba09b489a07cb536306bcc391608fe1251341426406d07570f39",
+    hash: "cf0f0f1dbbb61f655057e75bec28f5e85a42fd7a560859f465b7b94c546b5d7d",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d0d07b911f1c4ad0f123dbfddcbff460f687644dad5b50ed2aa1df5e4745e72a",
+    hash: "2dd8a12d56154f10be7fc19286c274d92a7cfd41914eea161235f225ff47c5ca",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "98917e33de6977fa187ad90dabbd5c6361d0509d808bffd0d9f5fc518837bc9c",
+    hash: "d990107e53c201f8edeace2382ea8410fd138f82758f5573d8e2c85d9f959681",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d446fae82b4a814e2139f46252bffd72e564773954e9f09bb73d336543b02a3f",
+    hash: "3c04b52f5a6877a31048a720deff308f31ed53434c35b7eb1525495d6aa3b661",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "da5276661663cf9cb1f99db5aa9a6bfa003a54ab4decb401a2413e146a93985e",
+    hash: "fcb3a75dc1690ce96878751e1492ed97676ac0921fd7efa5bedba9f0890e2638",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "8df4ccee6c98c318a9dea17c67419be40b3f88ce3dda92b7e49fbf951d857e35",
+    hash: "76b21c77215a5c896ebc037e1235276f570181a814f9f160958d25c55648d640",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "aa3c462598188e77e0f2a7eb3b0ec58c8392601c99df3a418173dbeb7fb481e1",
+    hash: "46ed7ea80ef95acbf2c5bbc650709ad0c1d710cc2dcf44985e421ffbfce0de51",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1ea41c099a3d15e060a34d91515649d803200d36f1fac1df26da614640e6e79d",
+    hash: "d2b5193d7d7931e0e9570ceafae176f60230aed99ef647c4c8c4a0f6026eb223",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "aa173a8a2d2d521338fd2d5bcda7e1ee583ce2740958ed341f0b3bbd7aca761d",
+    hash: "61266360204c43ec4dff16d78ccb0cbca184514c1d43826904c4606a9364a4c7",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cfacc24c3f4f65233e87ea428750cd2bc7adcb6c80ef9f0b8d42fbc34ccbd585",
+    hash: "2b8391e44cbfc53ff7aefbf802006f0267e0c044e99f10c3a1ec98c02a388612",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1996defc6ea7f87d62eb68e24ffdb1e2034f0da88b26b3c397bda09977aa56c5",
+    hash: "360f1cbe7a685f72e9f83bbb9151aa807792a98ec6a6d1b4eae2dc4f3eb4c06a",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "75362064732522bb9bb0cada13f43b3343f48afd9b98a34c40cccc0d0b1656c4",
+    hash: "0ffc32d49cca9d0397539d478e28d3665aa94737b6fc4cc3087ccdc2f9c5ae4d",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7580a7124211d1eb271caf9b3b6c4ab1f7f115b37223b114d5a6c43a7d83e4b8",
+    hash: "b4d44d72e94bbc788b00e3d64fc855883f4e5c7b495ee4e265ae22fc59e0fdad",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2958b875445542e939c2d77731002d2210e51f7b998749117ca13aa0701f5363",
+    hash: "e30fcd1fbc548ccbb678e856b2c69d8fd9288055eb73f9ffde7ae869f9bb674f",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a47668534cd9bb34ff952efeb8dad0df8f28be6cd008d6260cbffcdd12fcc44e",
+    hash: "a1c642440dc049a04e8b82f72894741bac407bad0f6edaf533abf7c5bf713928",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "de447666dce5fb739162680a02ccb32fef278cbdded06677f5aa57866115f399",
+    hash: "fed6331527c62d367de1f7fcb35bdb7a6799bdc6f32b588e6a85908d1d7f561d",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "92c7f217908cafc70c365c4949317b5db8df2b2f9ef8d315ef901e357a0e23ea",
+    hash: "1e099ed2a911b59169f89830e980a27b05aa05aecf956dd67a67b2f07e80ee60",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "03a9fc38d141419ca0f4cfae2c3095e47a09d6abd8814ddda8f7014af13135cd",
+    hash: "2db8c9b7aa47d28ad20cad3e129f31c8b0b825ffd551832c64b3715606d245f9",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d2202b4e59aa7cc9b9dd7fb7add53f2e14a1ed5eac59e45768d9729328a978cb",
+    hash: "5a42af796e1d4bfda29a5e70611e9bebf0a00094b0d03cb3c7984a0812b1e5de",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "06120f332e2d1c37f562382da2fc7ae59036af2165381a141ea6c35a390f0254",
+    hash: "05ee4707cdb31aed31bdf7bc710822cda36c9e99943646046fd8270b3d6f1d44",
 };

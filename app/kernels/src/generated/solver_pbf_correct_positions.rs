@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fd581d1a0e9284ec55b3f29ce93e5440805812040663906343122853fb607d64",
+    hash: "ccd6b8bb499026f4fdac7a6da802544e992422ca4d4138873c28aa6bf8c86054",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e97905af4bd6d7f32500f4e59c715b3c66e21ef37e90e514f3f54aca4d4cbba3",
+    hash: "a66b700e8c323274b6fe2dfc373e1da06bd647f7c28b26dc1bc57a7361bb2eae",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c9a1eae877305508d282654dd5aa592ee8e89acadc8aed04916e13790f23f06c",
+    hash: "ed94f76c5a537418668fce74c5fe8f241cc23a8fd7c68bc45a207c7198a8358e",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b3799c9007ab1788469842ac1191df948d7044e1c13b8f126c91fcd35e4407e3",
+    hash: "4f307d33c8150eadbdc9210d4b63623d25a16d239a24188d1c50df649e08099f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e5ffabe5cf0fcf9634a0e696fd740f79706b4efa6ce8a6fb02790de459755ad7",
+    hash: "041c3394d771ea4553cba4f8e2921fd36263ae56da2ce4445903eecbcaa0c714",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f1db0bdedf8334b8f4d1f3e5f54d938a895f5ec482280140792a86c554f2a061",
+    hash: "e504a3a84f2db422e14b9f4724a74077112ca897e2930df15c120a4ba751e2cd",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "954ffce996162e0261edfbe66fe451443c09ad63856ad77035c809a5b69a8c6f",
+    hash: "b3c23844d7a49b5d3b6e24133e6599ac24bdb745ba2c042f515272bcb713873f",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4ae1122b578a41f299811be4143870517069c994bd769f835ac2bce6f0aded05",
+    hash: "081f4aca9a2959a9bb6a8a66383c0310c7d0c5bee7e62dc80e4c0caa608abffb",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "95ca6e40320de50826b44c918b3e31193cb1e5b5b466ab8c4e4db67bb6b0c47e",
+    hash: "708dc302b6f0b0acdf5a4e9eb8fd06ad8e9377b31e2b5778c8a9cad3424674af",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "66fa276522ed2b862953a6fc4d60ba20129254a79b94e533e25c19a6edbcd269",
+    hash: "1bc072fab8d06d3216a6316631cfacececd7d9e2d305818add62895992c53b08",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d3368511246c7767c440bdb6e4abcb98f1b0f895249e205554f3d8abe0998695",
+    hash: "5d8edff387668975f0a4c62b287a7d79f08d28437a46940981c027f17a63b69e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6cf83cc4b568b9d1997b23ee49e015b715d7d57e2252b9ed715cb861a738776e",
+    hash: "d0970c5667abff387674220f702416a59071da109b816c8271b14333f21d4a68",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "14195b21a16ed6e387dd78deda076cabbace98e08afb1f4cce5a3e2e12a920e6",
+    hash: "940887d4c2de45cdbb43d444d7d66eeb9f0d128258bafba4074df134f8c7e54d",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "92c86b17440995f0733fd8f321cc76c54c40cad47ef7f96762cf0141d4b33cc2",
+    hash: "4f6190579537f66844555289f392615833317fc5f73dd42f5a921009203085b8",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6a6cb66c836eb5f986ffc3cfaf9dfadd93a10189f2fcdd3aac1928b7a67b7c0f",
+    hash: "73afe8a5bddc126a923ee3d8e19f65debe0854a54f3f0adae52116a232c7d892",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "2375b705389374bc43f71de28faaa17b480a06cb798faedda387f0e63d71387b",
+    hash: "b9ac62c01ab6ea9d8b2ae8fdd8054b99b2caaad45b4bfb9f03c423c210a162af",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ffb46e477c390a21b14c6dbd277ec6423fbe19d0caea8fddfc185875795eefe0",
+    hash: "5e23b301c809241f091482b45c7a122480b1d5a813975f9936b5d9a9d9996a51",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b2f53062fb75955cd9302459d691ac7c887bb8c054fe0c35dbba9345164f2a9e",
+    hash: "c87db18a5037711c0e6f534a81daebaa123d709c5bdf6152e86649f7a1464213",
 };

@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "4fbf480747d764ab745f500b764a9e876c769d09a608f53da0b90d1cb7d0a8d3",
+    hash: "fa43800dcadaca8b818da2f8c0ddfb631e50762fa33cdfd8327b6db89379fe0d",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "87de32d85313bd23b5986ca6fcc121a14f4717b95e47e87658bd4d6c0c634b41",
+    hash: "ad76b5ea66c429db2cc661720f456025eb6a789580d022be6b583bff1dcdf396",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "a64033d6f0d8ac8d8277b9dc0e794f7b49ec30193a79cbc5594175fc666a4ae8",
+    hash: "5686d38c2ce95b60fab02c45e02e4bb1ca68ca93ccb1aa4523a56eaffd62b344",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "eef81f5844287cd97c950b2ab3314e8a315c8c7e075b91cb32aa5d42d66361be",
+    hash: "f8bb8ca087efe55869653f9daa3d12a5ba7f2feaa242c2fdd5df7a8b40c568d4",
 };

@@ -252,7 +252,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7ca1b78eb9c5f1bd1eb469fd7524c459a433ab58a9512158e62a7fd2e004348a",
+    hash: "31b832a7623cd797c48f0ab084883a07fba658316daec523c257865f663f62ee",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -265,7 +265,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7be3de02c5e831d684a83330869706eb9894d2f8ec8bc0e517a9d74bf614ec69",
+    hash: "098cd858e5ee9ad74b1925f3a0edb22138399011f1bb9f29afae28981998d6bc",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -278,7 +278,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "fdf10a66f4fcb2c4ad76e8796fc8af9dd016080fbd177fbbec309e6312160a14",
+    hash: "632241609170a35bf0777db5dffca04150f4f8a3ccf063057ac232dc1a33fa44",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -291,7 +291,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c64c953f8b8f2bd87022f9815528ba85fa44aae5121542c27cbba3fd0f243a17",
+    hash: "a71db6585eca450ccd114938da6b47044a4a4cb304eca4d92164bfcfa832837c",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -304,7 +304,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ed61cf8202743fe7710c8c5bc3faee6a3cd8381961cb736e1f3b77dd4bf965b9",
+    hash: "467783d05d35aadc5f9910a13605de811bb65723c76cc7920414a6c615e5e917",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -317,7 +317,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "8bafcd8abcb96f6efd8058c8830723f765a5890aaee1732bb746f4960710ec63",
+    hash: "fd7e6dfad8c4f9c8ba9f9443cba2aafadf71f5297c1605d2edf7853f1f339523",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -330,7 +330,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8eee14d3b0cc7c382ac455c9daf71ec3a85e7a9b838960f369e797f5345b6b66",
+    hash: "c693f1ea2c3f0e64430304cd83f55cc609e578ba1d82fde931b4f82d055600ce",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -343,7 +343,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "aabc0912e6a8835f2c30511b77c03bfb8c1eafff3491e3a2e677f6b858d9caaf",
+    hash: "180cefd4fa2d5c0de9ec1cdee7977b442d072a2391f4a5842680851e9c7b510b",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -356,7 +356,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e256c12d98c15c1c03b6f33579e7256ff59085b8438e6cb87e4e0db263c2cd7b",
+    hash: "672e1ebc7bcd2a319fba7479f3e0b9c7445d46fa919ebaa93428db2ff08a406a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -369,7 +369,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e6705541c27c189776f71a5c32c2e597654002adc128b81e60c031620b15cd47",
+    hash: "ed2e2a83cb4d234b7502a2037034aba0c363b78e2494a45d9bd5d6d5fe78571a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -382,7 +382,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ee617d33a29ec9e337806d24a60a562766c6b4eb31fade453dd6cc92e6db9c4b",
+    hash: "00788db91b9c52050185f2eca4a1f858066f6c7a5a38246ede0d4b8bbe8b8bb0",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -395,7 +395,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "68a2422e88aae95a31848464c6263690683c7cbf2174e283cef169ad7a85a183",
+    hash: "b2e2e46f34751f83dfb8bc015be86e4e1837ed6f5f326e532102ee448392a54c",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -408,7 +408,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "bad50b96ffbd9469d22a3b78d6ad36dd9179e42fb5694c305fbea7f928326449",
+    hash: "44f34603b950f64a243b40fa9064a162a275964a1a52d819dfe56b49f0c45a50",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -421,7 +421,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "256575cf054601da450649d36f6c01edda6bc0d97031b8f7cdefd1f2d1ba7dab",
+    hash: "b54ae0c8d767790cddfe4021d0f05102578f93454d9ce197f9e53a0f996a603f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -434,7 +434,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "b923a6723fb0e70462309ae88998a02977c4472852541d684fba49e843b5b329",
+    hash: "4c5eb44c68765ecdac3cf89c75d429f10daa96f8ba44f7e7e0688e83614501cb",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -447,7 +447,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e4782c9ec311d2d3f4359aa58f94b353c94d48685f8773a859d6b0439db09c14",
+    hash: "0b5446a80e3ed63c2212572bb90431006880629e176c522e2b157ae2035a354d",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -460,7 +460,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f23989566253703303b47e5f81a1709def929d9fa7873491efd757eecacfff82",
+    hash: "dee6c3bb3e0e326c2eb084b9274ea53d14ac6dad4f084cd35b52dafea9617bd2",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -473,7 +473,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "69fe4bf0f18c7b576609e48e6bdca1a4a8f3afe7ac0d3c11cfacb86b1e179f3c",
+    hash: "0cc4af0efe65c4acaa8b4db6d48b587779660dc05b6d720756d3b331fd817d6e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -486,7 +486,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8d2b63201e34a317056ea247c31c45c0d157f58a217ac3248f7e7ae9ad52db45",
+    hash: "9da994204cd0812f1b617f5673d5ebd19fb8b569403c6e12010fb4a9f03a24d2",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -499,7 +499,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e4945a6272abc2aff9bd6c1bdc65de257cae87a672c32fafb23601cb165ca77e",
+    hash: "97478b3e618d8f6d7c49e522cd6d7ec2c51ff8530d1541e526a42c4b9ad80faa",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -512,7 +512,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "22de29a03ed28d0397d8879a6a5f3bded3c788b68ab73ed6b1a809f0e6bf4ee4",
+    hash: "b50868517f5b5bcf1138b526b34e3f17aa97654a7708782375a4e05bd5b9c171",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -525,7 +525,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c63d1d158552a9495c8d3c5d14fbdf0af0920b99eeac25bc58ac84b00345bae2",
+    hash: "55f4bfc1c6924b2311f099d3cec52faa2d214acaf8645fc53ff4fec66f6f81af",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -538,7 +538,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6c1c68c370132b70c862373877bd17bdae74bedc935064d5d0c5ff5d8047f450",
+    hash: "8f2bee41ea6b77f3d37ed082158924986659fa68fc6d24c6bb13f4f31c53baa7",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -551,5 +551,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "939c3a78d75afae293c8f34977ffdc180e5b2773485060d6a474f5ffb81ae428",
+    hash: "74ea42decbdf29d6b06ae2ceaf6bdbd574e3d76d9bfb997a40e231d0494804b6",
 };

@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "e03eda42bce9cb4f1c15650a927a375d820993d06b55f864919f572471f92c97",
+    hash: "856276a68be05c725ed1b73abf119dc3cbac57c3ffd385f11ed9e69c6058fbba",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "7de18f1d1df56b4efb60648b2649038255a653f5c1cef500e8a2859df22eb9bb",
+    hash: "1145eb6854079d35e70ad3c185d472b7d45d574ced4a836212da84af03f5ab23",
 };

@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "05e0f366c9f88072d19d3ae82f2334642944062c4457c77bebf0dfcfee84acaf",
+    hash: "7f07379d9d7768b8bc37db69a106b932d75a24d5fcadb2bf5054ec67a2f9f48b",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "9396583dfaebdfb5482f95fee00aa526bc8b43b24cef9a1bd0bdf468657a6b72",
+    hash: "b312ea9d1a0275c66d84694d935c265b90440e99827db9b3abaff9690ec42121",
 };

@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "904a55251959344a116f3f1870509b09ab66de1326c6c60c5a6abf1af9f58e86",
+    hash: "2a88adeb7b29e27224f90bf1a80b8082b753a69f634d5bf56bd36e4cccf97c37",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0eb98c4841c082cdc10ef1de99a8f3b1dbba9a1bb5d141b25005a040e5ceee63",
+    hash: "a377b0db5a8e33853e3a11acbe38af8233b1190e26efe75989b88f163ce13998",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "cf8abeb2d875d7490ae0acc3420a6e043d062c5a5ca8fb0e89a714d9d3207ff7",
+    hash: "31ef715d96882775c3262c1c31b3b932b2844c248bebfaee85d63c8c6d36842a",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d92dfe168e2a811f691a67ec7d730c9a6231f738af529acae3986ddac91c4747",
+    hash: "6db65512c980709bf834e47c6ee299198ae476e01a1dfb4f9b051564b209739f",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "159ebdafa92a62d2e4af3831fcc94ca36f6be70817352afc9fd22f6100f8b49b",
+    hash: "81670372d4d72235526862ff50937deaabd0b2051e65f7e67d85d4a7353a4feb",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "8e7a390286b70613fea81b1d51d1629e2713fa9634cd11439bb19ade030188e2",
+    hash: "2874a698153297a4586dda9a1751d37350eafc7eb8a9a0a6c8fa6da7689b42be",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "2e13f67414f925c41c0d90e75d2ba360403004d101acab4e171e83099e0913e2",
+    hash: "20226a464e30d84720d8db64d88e8e5a7aa29dde20c3453b7827f6eec06e65b5",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "8313b78fae2edbeb00ce0a54062be0c4bc89da2d4849d1d64096cbf226849738",
+    hash: "5ab16330910c772ce9c316fa95f4e1ac07b22b8cdfcbbf05de1864b6392f26a0",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cfb83854fdcdb969c2f922324a8270969aeba1a42a85f7ff0c32d8c9034e68a6",
+    hash: "362f4c79acec2d049d1ae5cdf1c934aee5140230af36b3583d45e68d827f7c50",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "40b9cc9632b0eb93eea7281aeae5264eb1b81749955e925595fb3370788f3380",
+    hash: "04bb6eb17f49cf2693aecf12279fb1f7ed198c0d388e290b6ebf43552b6bd4e5",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6954355b57cd89a75dd2dc2245b98c2775cdaa88d319da5926bccfdfa3f94e2a",
+    hash: "baeeceb9401b96b5308b0bbecfcc6e74a1ba6d9b34b6a62334a6f38cf367bbd6",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "733c036c6eb60605d87e20a1d15bb6df37296bc82c5dccf691d1e9c6c25609d6",
+    hash: "208cf45a04b377e86ba97eb9b6f7314a6dc32b98e735f0055200211a6510a09e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6b64c81e5214a1ef629424fa060779d1fa448193cd5d9585710acbac87597c64",
+    hash: "f956bdc0317dc4a8e4b8b20f24c1a97c2505be366416061c909e966c505b564c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cf0efb6fa6fae7ea2e03ca12a175e85baf4cd5435b5f3b501eaf21f547e23bdd",
+    hash: "4107a59ab136356e9d77e6fb16ea9f31c3f4ed91127475d17747de8c30fc66bc",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "99498ecc3fc994cb1c0859d6f31b41a7b9e4e36aab0f1e0fa450e19c1cb6fa08",
+    hash: "65f5d458082569855702482d2946d319b2efe0790f014c59f9136e6477715727",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ec098faae7425f1ce9a9183edfcc83f7c92dd17907a93145712632537a5b9066",
+    hash: "de32c726bf08eb0489a23c55858048135a25432ae735fc6cb59effd15b9f9bdb",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b1920362713a3a5bccc7f989964c10851d953455f3b647ec4b73e475b858e3fd",
+    hash: "af63b23def529478b442d53f542f4a24a57399f370893867bb31bd02367d1a22",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "b929b45d04b45bbd5611747d700f6b0957448eeb8201d802e843e11095322e2a",
+    hash: "c0c4fc2eedf56f5d323fa644942036ed007695a2235cbc20761374841feb2ba2",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5238c363f627f713b2df11e53a89c48f041f291cbcb5076e94793a1c6a14a4fc",
+    hash: "0e015564e574632e39fd21e13368483617366dd020b7690ccffd1f3492849294",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "bf019b406a2389063cddec579b079c958bfd19403660dbd67ab5f938d662c8e6",
+    hash: "6a04026cf5c690834da5db8fd25d7e714bcb7a6345d04f39883c477a110bf2fb",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "240d6f365112cd5a26c54d6abbe95b159bcc7935bb672b9f4c356641be6d2328",
+    hash: "d47682017b083e99ed69918da197e050fb4ac4239e51635ab7ea3d43b7ae2999",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fe78faad75bb2e6f6e9f7cb821b1791a70e12ce02dbb86e58079586944fd5acf",
+    hash: "ec35f89cd1844f0348382190c10e3a357c1192faee89d36f866b081270e97945",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f02e09badbe0f836bcf5c4e6be3687cd56aeacaa4b59b7569d6fb6e0d4cc6fcb",
+    hash: "5789147d88d6e4cd4d33897872129c61fb5792fbe7805be30cbf416df1cc1996",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "537ca8164480474749f23155b9bd0df10398c799d65312129b49177b107292b7",
+    hash: "04fe1f157659f9e86208526d9abc59073de541edd2bb88a9e940b31e3aa944b0",
 };

@@ -1,7 +1,7 @@
 //! Walls that keep the fluid by what they do to velocities across them at a substep's end. (Shader:
 //! `boundary/repel_walls.compute`.)
 
-use brooklet_kernels::{RepelParams, WALLS_BY_DEFLECTION, WALLS_BY_PENALTY};
+use brooklet_kernels::{RepelParams, WALLS_BY_DEFLECTION};
 use glam::DVec3;
 
 use crate::params::Step;
@@ -9,8 +9,6 @@ use crate::params::Step;
 /// By what, and how hard.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RepelModel {
-    /// Back to the reach by the substep's end (Harada, Koshizuka & Kawaguchi 2007, eq. 11).
-    Distance,
     /// A spring and a damper (Tang, Wu & Zhou, eq. 9).
     Penalty {
         /// k_s over the mass.
@@ -38,12 +36,11 @@ impl RepelWalls {
     /// What shaders are given.
     pub fn of(params: &RepelParams) -> Self {
         let model = match params.model {
-            WALLS_BY_PENALTY => RepelModel::Penalty {
+            WALLS_BY_DEFLECTION => RepelModel::Deflection { restitution: params.restitution.into() },
+            _ => RepelModel::Penalty {
                 stiffness_per_s2: params.stiffness_per_s2.into(),
                 damping_per_s: params.damping_per_s.into(),
             },
-            WALLS_BY_DEFLECTION => RepelModel::Deflection { restitution: params.restitution.into() },
-            _ => RepelModel::Distance,
         };
         Self { model, reach_m: params.reach_m.into() }
     }
@@ -51,10 +48,10 @@ impl RepelWalls {
     /// The speed away from a wall after a substep that ends at a distance from it.
     fn repelled_m_s(&self, distance_m: f64, away_m_s: f64, dt_s: f64) -> f64 {
         let missing_m = self.reach_m - distance_m;
-        let will_be_nearer = missing_m > away_m_s * dt_s;
         match self.model {
-            RepelModel::Distance if will_be_nearer => missing_m / dt_s,
-            RepelModel::Deflection { restitution } if will_be_nearer && away_m_s < 0.0 => -restitution * away_m_s,
+            RepelModel::Deflection { restitution } if missing_m > away_m_s * dt_s && away_m_s < 0.0 => {
+                -restitution * away_m_s
+            }
             RepelModel::Penalty { stiffness_per_s2: k, damping_per_s: c } if missing_m > 0.0 => {
                 // Backward Euler of u' = k (missing - u dt) - c u.
                 let pushed_m_s = (away_m_s + dt_s * k * missing_m) / (1.0 + dt_s * c + dt_s * dt_s * k);
@@ -104,16 +101,6 @@ mod tests {
             (x_m, u_m_s) = (x_m + v.x * DT_S, v.x);
         }
         [x_m, u_m_s]
-    }
-
-    #[test]
-    fn distance_brings_back_to_it_and_leaves_no_speed_behind() {
-        let [x_m, u_m_s] = way(RepelModel::Distance, 0.011, -1.0, 1);
-        assert!((x_m - 0.01).abs() < 1e-15 && u_m_s <= 0.0, "{x_m}, {u_m_s}");
-        let [x_m, u_m_s] = way(RepelModel::Distance, 0.011, -1.0, 2);
-        assert!((x_m - 0.01).abs() < 1e-15 && u_m_s.abs() < 1e-12, "{x_m}, {u_m_s}");
-        let [from_high_m, _] = way(RepelModel::Distance, 0.989, 1.0, 2);
-        assert!((from_high_m - 0.99).abs() < 1e-15, "{from_high_m}");
     }
 
     #[test]
