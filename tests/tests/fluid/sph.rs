@@ -351,10 +351,9 @@ fn what_cannot_run_is_refused_with_what_is_allowed() {
     }
 }
 
-/// The scenes that come as files.
 #[test]
-fn the_swirl_and_the_drop_load_and_step() {
-    for name in ["swirl", "drop"] {
+fn scenes_that_come_as_files_load_and_step() {
+    for name in ["swirl", "drop", "honey", "water", "mercury"] {
         let path = format!("{}/../app/fluid/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
         let scene = Scene::load(&path, &[]).unwrap();
         let mut session = Session::new(&gpu(), &scene).unwrap();

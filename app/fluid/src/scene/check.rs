@@ -394,21 +394,19 @@ impl Scene {
                 self.rest_density_kg_m3()
             ),
         )?;
-        let (shape, min, max) = match (&fluid.block, &fluid.sphere) {
-            (Some(block), None) => {
-                let field = format!("{field}.block");
-                check.ordered(&field, block.min_m, block.max_m)?;
-                (field, block.min_m, block.max_m)
-            }
-            (None, Some(sphere)) => {
-                let [min, max] = [-1.0, 1.0].map(|side| sphere.centre_m.map(|x| x + side * sphere.radius_m));
-                (format!("{field}.sphere"), min, max)
-            }
-            (None, None) => return check.require(false, field, "nothing", "give it a `block` or a `sphere`"),
-            (Some(_), Some(_)) => {
-                return check.require(false, field, "a block and a sphere", "give it one of the two");
-            }
+        let shapes = [
+            ("block", fluid.block.is_some()),
+            ("sphere", fluid.sphere.is_some()),
+            ("cylinder", fluid.cylinder.is_some()),
+        ];
+        let given: Vec<&str> = shapes.into_iter().filter_map(|(name, is_given)| is_given.then_some(name)).collect();
+        let [shape] = given[..] else {
+            let value = if given.is_empty() { "nothing".to_owned() } else { format!("a {}", given.join(" and a ")) };
+            return check.require(false, field, value, "give it one of `block`, `sphere` and `cylinder`");
         };
+        let shape = format!("{field}.{shape}");
+        let (min, max) = fluid.bounds_m();
+        check.ordered(&shape, min, max)?;
         let allowed = "must be 0 along z with domain.dimensions = 2";
         check.require(
             !self.domain.is_flat() || fluid.velocity_m_s[2] == 0.0,
@@ -467,6 +465,10 @@ impl Fluid {
             let radius = s.radius_m / scene.spacing_m;
             if scene.domain.is_flat() { PI * radius.powi(2) } else { 4.0 / 3.0 * PI * radius.powi(3) }
         });
-        block.or(sphere).unwrap_or(0.0)
+        let cylinder = self.cylinder.as_ref().map(|c| {
+            let [radius, length] = [c.radius_m, c.length_m].map(|m| m / scene.spacing_m);
+            length * if scene.domain.is_flat() { 2.0 * radius } else { PI * radius.powi(2) }
+        });
+        block.or(sphere).or(cylinder).unwrap_or(0.0)
     }
 }

@@ -63,6 +63,7 @@ impl EmitterSettings {
             let fluid = Fluid {
                 block: self.block.clone(),
                 sphere: self.sphere.clone(),
+                cylinder: None,
                 velocity_m_s: [0.0; 3],
                 velocity_spread_m_s: [0.0; 3],
                 rest_density_kg_m3: scene.rest_density_kg_m3(),

@@ -4,7 +4,7 @@ use brooklet_kernels::{FLUID_SHIFT, INACTIVE_FLUID};
 
 use super::lattice::{self, WHOLE, steps_m};
 use super::solid_shapes::StandingSolid;
-use super::{Block, Fluid, Scene};
+use super::{Block, Cylinder, Fluid, Scene};
 
 /// What a tag's bits below the fluid's number can tell apart.
 pub const MAX_PARTICLES: u32 = 1 << FLUID_SHIFT;
@@ -150,6 +150,12 @@ impl Lattice {
         let spacing_m = fitted_spacing_m(scene);
         let mut lattice = if let Some(block) = &fluid.block {
             Self::of_block(block, scene, spacing_m)
+        } else if let Some(cylinder) = &fluid.cylinder {
+            // Around its axis, and from its foot up.
+            let lattice = Self::of_block(&cylinder.block(), scene, spacing_m);
+            let around_m = |axis: usize| 0.5 * (lattice.counts[axis] as f64 - 1.0) * lattice.steps_m[axis];
+            let [x, z] = [0, 2].map(|axis| cylinder.centre_m[axis] - around_m(axis));
+            Self { first_m: [x, lattice.first_m[1], z], ..lattice }
         } else {
             let sphere = fluid.sphere.as_ref()?;
             let half = (sphere.radius_m / spacing_m).floor();
@@ -205,6 +211,9 @@ impl Fluid {
             (block.min_m, block.max_m)
         } else if let Some(sphere) = &self.sphere {
             (sphere.centre_m.map(|x| x - sphere.radius_m), sphere.centre_m.map(|x| x + sphere.radius_m))
+        } else if let Some(cylinder) = &self.cylinder {
+            let Block { min_m, max_m } = cylinder.block();
+            (min_m, max_m)
         } else {
             ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3])
         }
@@ -216,6 +225,9 @@ impl Fluid {
         } else if let Some(sphere) = &self.sphere {
             let squared_m2: f64 = (0..3).map(|axis| (place_m[axis] - sphere.centre_m[axis]).powi(2)).sum();
             squared_m2 <= sphere.radius_m.powi(2)
+        } else if let Some(Cylinder { centre_m, radius_m, length_m }) = &self.cylinder {
+            let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| place_m[axis] - centre_m[axis]);
+            y.abs() <= 0.5 * length_m && x * x + z * z <= radius_m * radius_m
         } else {
             false
         }

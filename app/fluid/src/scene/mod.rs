@@ -20,6 +20,8 @@ mod forms;
 mod lattice;
 mod load;
 mod mesh_shapes;
+#[cfg(test)]
+mod message_tests;
 mod methods;
 mod moved;
 mod nearest;
@@ -145,12 +147,15 @@ pub struct Scene {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Fluid {
-    /// A box of fluid; exactly one of `block` and `sphere` is given.
+    /// A box of fluid; exactly one of `block`, `sphere` and `cylinder` is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub block: Option<Block>,
     /// A ball of fluid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sphere: Option<Sphere>,
+    /// An upright cylinder of fluid, as in a glass.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cylinder: Option<Cylinder>,
     /// Velocity at the start, m/s.
     #[serde(default)]
     pub velocity_m_s: [f64; 3],
@@ -182,6 +187,28 @@ pub struct Sphere {
     pub centre_m: [f64; 3],
     /// Its radius, m.
     pub radius_m: f64,
+}
+
+/// An upright cylinder of fluid; in two dimensions a block as wide as it is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Cylinder {
+    /// Its middle, m.
+    pub centre_m: [f64; 3],
+    /// Its radius, m.
+    pub radius_m: f64,
+    /// Its length along y, m.
+    pub length_m: f64,
+}
+
+impl Cylinder {
+    /// The box around it, m.
+    pub(crate) fn block(&self) -> Block {
+        let half_m = [self.radius_m, 0.5 * self.length_m, self.radius_m];
+        let at = |side: f64| std::array::from_fn(|axis| self.centre_m[axis] + side * half_m[axis]);
+        Block { min_m: at(-1.0), max_m: at(1.0) }
+    }
 }
 
 /// Where pictures are taken from.

@@ -22,7 +22,7 @@ pub fn schema() -> String {
         }
     }
     if let Some(fluid) = part_of(&mut schema, "fluid.*") {
-        fluid["oneOf"] = json!([{ "required": ["block"] }, { "required": ["sphere"] }]);
+        fluid["oneOf"] = json!([{ "required": ["block"] }, { "required": ["sphere"] }, { "required": ["cylinder"] }]);
     }
     by_method(&mut schema, FIELDS, Method::NAMES);
     // A schema of strings and numbers is always representable.
