@@ -58,6 +58,7 @@ fn changed(scene: &Scene, setting: &Setting) -> Scene {
         (Kind::Text, _) => vec!["another".to_owned()],
         (Kind::Vectors(_) | Kind::Table | Kind::Tables, _) => Vec::new(),
     };
+    let wall = |model: &str, field: &str, text: &str| format!("domain.wall={{ model = '{model}', {field} = {text} }}");
     let one = |text: &String| match setting.path.strip_prefix("domain.faces.").and_then(|face| face.split_once('.')) {
         // What a wall that does not drag may not have.
         Some((face, "friction")) => format!("domain.faces.{face}={{ slip = 'friction', friction = {text} }}"),
@@ -66,7 +67,12 @@ fn changed(scene: &Scene, setting: &Setting) -> Scene {
             along[usize::from(face.as_bytes()[0] - b'x')] = 0.0;
             format!("domain.faces.{face}={{ slip = 'friction', friction = 0.01, velocity_m_s = {along:?} }}")
         }
-        _ => format!("{}={text}", setting.path),
+        _ => match setting.path.strip_prefix("domain.wall.") {
+            // What only one model of walls has.
+            Some(field @ ("stiffness_per_s2" | "damping_per_s")) => wall("penalty", field, text),
+            Some("restitution") => wall("deflection", "restitution", text),
+            _ => format!("{}={text}", setting.path),
+        },
     };
     let settings = texts.iter().map(one);
     let mut allowed = settings.filter_map(|setting| scene.with_setting(&setting).ok()).filter(|other| other != scene);

@@ -1,4 +1,5 @@
-//! Walls that drag: channels against their closed forms, friction against its own, and what a plan has of them.
+//! Walls that drag: channels against their closed forms, friction against its own; walls by distance, penalty or deflection
+//! against their twins and at rest; and what a plan has of them.
 
 use std::iter::zip;
 

@@ -155,7 +155,7 @@ fn scene_files_with_wrong_values() {
             &["no room for a particle", "the plane z = 3.7"],
         ),
         // Fluids.
-        (scene(block, ""), "fluid.0 = nothing", &["`block` or a `sphere`"]),
+        (scene(block, ""), "fluid.0 = nothing", &["`block`, `sphere` and `cylinder`"]),
         (scene("max_m = [1.2, 2.2", "max_m = [1.2, 2.6"), "fluid.0.block", &["inside the domain, [1, 2, 3] to [1.4"]),
         (scene("max_m = [1.2, 2.2", "max_m = [1.2, 2.01"), "fluid.0.block", &["no room for a particle"]),
         (many, "fluid = 129 fluids", &["at most 127"]),

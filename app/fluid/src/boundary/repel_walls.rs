@@ -22,7 +22,7 @@ pub fn repel_params(scene: &Scene) -> Option<RepelParams> {
     };
     scene.repels_at_walls().then(|| RepelParams {
         model,
-        reach_m: (0.5 * scene.spacing_m) as f32,
+        reach_m: (0.5 * scene.fitted_spacing_m()) as f32,
         stiffness_per_s2: scene.wall_stiffness_per_s2() as f32,
         damping_per_s: scene.wall_damping_per_s() as f32,
         restitution: scene.domain.wall.restitution as f32,

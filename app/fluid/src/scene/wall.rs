@@ -75,7 +75,7 @@ impl Wall {
 impl Scene {
     /// Stiffness of the walls' penalty over a particle's mass, 1/s².
     pub fn wall_stiffness_per_s2(&self) -> f64 {
-        let stops_per_s = self.expected_speed_m_s() / (0.25 * self.spacing_m);
+        let stops_per_s = self.expected_speed_m_s() / (0.25 * self.fitted_spacing_m());
         let substep_s = match self.solver.method {
             Method::Sph => self.sound_limit_s().min(self.steady_limit_s()),
             Method::Pbf | Method::Dfsph | Method::None => self.substep_s(),
