@@ -11,18 +11,8 @@ use std::process::ExitCode;
 use brooklet_fluid::{Scene, Session};
 use brooklet_study::method::{METHODS, Method, method};
 use brooklet_study::report::{Line, Mark, PALETTE, Plot};
+use brooklet_tests::pool::POOL;
 
-/// A block that fills the floor of its box, corners included, and falls into its rest from the lattice.
-const POOL: &str = "
-spacing_m = 0.02
-[domain]
-min_m = [0, 0, 0]
-max_m = [0.2, 0.3, 0.2]
-[[fluid]]
-block = { min_m = [0, 0, 0], max_m = [0.2, 0.2, 0.2] }
-[outputs]
-measure_every_steps = 1
-";
 const G_M_S2: f64 = 9.81;
 
 /// Kinetic energy after each step over what lifting every particle by a spacing takes.

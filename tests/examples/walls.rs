@@ -8,6 +8,7 @@ use brooklet_kernels::Position;
 use brooklet_study::backend::{Options, run};
 use brooklet_study::case::case;
 use brooklet_tests::gpu_of_long_run;
+use brooklet_tests::pool::POOL;
 
 /// The figures of a case with settings, in one line.
 fn told(name: &str, settings: &[String]) -> String {
@@ -19,15 +20,6 @@ fn told(name: &str, settings: &[String]) -> String {
     told.join(", ")
 }
 
-/// 1,000 particles that fill the floor of their box.
-const POOL: &str = "
-spacing_m = 0.02
-[domain]
-min_m = [0, 0, 0]
-max_m = [0.2, 0.3, 0.2]
-[[fluid]]
-block = { min_m = [0, 0, 0], max_m = [0.2, 0.2, 0.2] }
-";
 const STEPS: u32 = 480;
 
 /// A row of a table: how a pool is after two seconds.

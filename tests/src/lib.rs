@@ -10,6 +10,7 @@ pub mod full_disk;
 pub mod mesh_files;
 pub mod peers;
 pub mod phones;
+pub mod pool;
 pub mod program;
 pub mod python;
 pub mod solids;

@@ -8,8 +8,12 @@ use crate::smoothing_kernel::lattice;
 
 /// What the shaders are given.
 pub fn smoothing_kernel_params(scene: &Scene) -> SmoothingKernelParams {
-    let with_walls = params_with_walls(scene);
-    if scene.domain.wall.model.counts_in_density() { with_walls } else { without_walls(with_walls) }
+    with_walls_if(scene.domain.wall.model.counts_in_density(), params_with_walls(scene))
+}
+
+/// A kernel whose walls count, or are left out.
+pub(crate) fn with_walls_if(they_count: bool, kernel: SmoothingKernelParams) -> SmoothingKernelParams {
+    if they_count { kernel } else { without_walls(kernel) }
 }
 
 /// Of walls that are no part of the density, or do not answer to pressure: shares that count nothing.

@@ -77,7 +77,8 @@ float3 ConfinePosition(float3 position_m, StepParams step)
 }
 
 // The end of a free path, confined. What the boundary takes of the path it takes of the velocity, an inelastic contact: the
-// force m (d - s) n / dt^2 of Harada, Koshizuka & Kawaguchi 2007, eq. 11, of the distance s where the particle would be. A particle put far outside would come back at any speed, even one that is not finite.
+// force m (d - s) n / dt^2 of Harada, Koshizuka & Kawaguchi 2007, eq. 11, of the distance s where the particle would be. A particle put far
+// outside would come back at any speed, even one that is not finite.
 void ConfinePath(inout float3 position_m, inout float3 velocity_m_s, float dt_s, StepParams step)
 {
     float3 inside_m = ConfinePosition(position_m, step);

@@ -1,18 +1,8 @@
 //! Case 20: 5,000 steps of 1,000 particles at rest (`examples/rest.rs` has 10,000). Energy decays, nothing drifts.
 
 use brooklet_tests::extreme::Case;
+use brooklet_tests::pool::POOL;
 use glam::DVec3;
-
-const POOL: &str = "
-spacing_m = 0.02
-[domain]
-min_m = [0, 0, 0]
-max_m = [0.2, 0.3, 0.2]
-[[fluid]]
-block = { min_m = [0, 0, 0], max_m = [0.2, 0.2, 0.2] }
-[outputs]
-measure_every_steps = 1
-";
 
 #[test]
 fn five_thousand_steps_at_rest() {

@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "8328d2c1b0f31031526ee6726db25b49b6eaa96e3ed4ddb0415796113f9f9d04",
+    hash: "4b61f09ee44238dc1bb753f6763c83f99387fa16d87dae3352ca4d4b95c87c5f",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "231c9f88a5dcb2191a4a0ddb15af5ffc237d2b160db8460919462ab8270ffc22",
+    hash: "611e2a54d6056a06f2a7b087ccbe3cafd2010f9969566e3a5050c1e87f614981",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "5d74284b8899af02e3e69c3ceabbaa0e6103bfb7725b551806d969dc345a7481",
+    hash: "937ba8be06adaef14ae49e18d908715f1d11fb05dd9cbc7b92b683e17d47514b",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "dba0c210282531c885d2f44d5e50bb0c80edb6ce69900a72f5f89f4b0aaf9c0d",
+    hash: "c0bb24fd8b7619130b76c8668b80de53d0f4b6c27370a519e4853858e9aca2ad",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "14d98de3c2e0c96f160a8bce7fb195b069f12ac34fa8af1e69dd09aa6c453cf5",
+    hash: "75254e40afed4e59aa22f10ca3be59b73e6aae9074befe3b37288d61ff1ff8c4",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "eaa523736a63429e7e38cc977a2b9157a11344e241073b661466dd7f96190437",
+    hash: "c5b68275598d8666c2e7bed1a4cf7ca389adac9277c8a6878d5979121442a40e",
 };

@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "34207e52b90877ef4944df1b0c699c1a8c73d59f3512f8df1adcba47e99c70f8",
+    hash: "c711049bd978ccc42cd7c776a0e3ce204db2d221f0f7affafc3dde222c826fa0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "78539a61054f86531ced2899e466e4e4f91d6d5b95bd9611af03d965fdbfeb54",
+    hash: "0bb637997a7d1aac230c9b0323fcdae91e053b1ac76be37e53b36eaa3b2baed0",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0272633216ea28b5fd14fb76fff718108a39af85c635d747d459bf5c6f012598",
+    hash: "14b3dc2570a7444960119d8eecc5d3ca58c509fc388cb5daaa693e1b5e7f30a5",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "39973153119a26248f1ebbf7d7ae0394df8f3cbef48673f43634c97d01ec0d1a",
+    hash: "52431ee7ff478aecc8a46e584b7fbb685b18ca34a8f42069526f6a971146da48",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "8cdeda49321e91c4c2ba1931020c51c34580cbebb4acf20d4e88b9ac61dce867",
+    hash: "bcd411e7039501741ee470d75d5fcd05b74e773fd7901bfe0af7740b8a19ecb7",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "66fe081f23befc8e8478db8e04c692f72121bec084492231c77f2179f015cd2f",
+    hash: "88f4de3633db9dc052e0a02c894e46a7a455db8663d1e59187e2b65754416c33",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0443a9788d8c0f954f3f521d746c3f98546def370efda9a7ae18aa23a0b63e46",
+    hash: "75b29774a21792ab1dcce7a592287160a4a1a4a285533209e957e1c5c9bda7d1",
 };

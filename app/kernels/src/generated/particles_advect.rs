@@ -143,7 +143,7 @@ static ADVECT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ebef10b16a7d93788c0064a2f603fce215fb0f59fecb47ffde2b6dd12276b67e",
+    hash: "e5b034c922403799cb00b1794d6adee8892fc79e3680f2399a4d3e340545c063",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static ADVECT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "171ae7200e415cda0e6df04095d557c9d0b3133084ca05b0ddce96925501a569",
+    hash: "ee28325d17eaaca9a2a8821f45b2471f2503ad3bf24b8ad21690db1ab56dff05",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static ADVECT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "9195e6ad1cd0acc90476c23ff49d0917858269383d4d58c7faf79c171908d84e",
+    hash: "723ef2eb485325acbdc0eabd6b43b82ce7a9377c495e36be0120c618ff4cb52d",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "5a2eae06dda7389abb38b9db75ba5c308991a1d951be48cce45e489532369532",
+    hash: "389f54f177a4688bb1f2b38f1d46fddedfb4545f56ac36292b881380918e67c8",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
@@ -195,7 +195,7 @@ static ADVECT_WITH_ACCELERATED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "c947ee7cf97505711e191f3a041413eb676999a87b7f8dae7ff31146e93b902a",
+    hash: "b2214d685697cb895bd16d6e851106d3b4af0e2615b5c28458264e2c475cfc6a",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
@@ -208,7 +208,7 @@ static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "e93ad1065d88f43b9e87cc7fc37f95a8418d8da7ed8efcbe1cba74965bc4fec4",
+    hash: "0871f3d9dc5b936dac888684a44b88fbbd30fd4da27d3fd43a89a4a2b87c2e18",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
@@ -221,7 +221,7 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "263e8fb86eb7c063f7cbf1ef05feca938917ad3df11f505e48f76256fb6b07ec",
+    hash: "765ba29689e85f7daea38f991f5d3edb8ef5e2fdc1d069bce8b1b0397fe2eb30",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -234,5 +234,5 @@ static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "93e0af0a1452658d310b3941f1aee5e63215786d4a94a48d646f7f76cabf5639",
+    hash: "869a2cde114068e0ff7dfc77d6637d49ec9f5f65944fff4c2bd3a6343d10e6cb",
 };

@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "33ed8a201ee796f96cce424eccce1dee1d3bc5c472aeebab8cd3149f52801c46",
+    hash: "e6837848f14dce392f6720e659d56cd295120422d880f0c9be2d2598af1294d1",
 };

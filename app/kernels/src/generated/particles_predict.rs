@@ -97,7 +97,7 @@ static PREDICT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "0b23a41ae958d0deeba80dadb9aa0339f6e3ec3eddfdee8a20595a4b5f0b3f06",
+    hash: "67b905aa9e5b25c1f0bc6119a948d228f609a28765529062d3b8b265c9085fcb",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
@@ -110,7 +110,7 @@ static PREDICT_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "a690150aab42d0f7237557177da054dcbfffef5ae97747a939d84e843abb4244",
+    hash: "7f83b0827bcfc095a3460687cf2915d9e051aab1504c4f69f8a45def833363c4",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
@@ -123,7 +123,7 @@ static PREDICT_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "c1dfb448abc45fc33fb8a818ffe374efcf97ee34778edcfd84a51a06f55bef4d",
+    hash: "7b18ba9895ccfd1cc4fbf8261684a575e138ee73197ee3021045886ef6b14863",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -136,5 +136,5 @@ static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "2a4f5f21c9322f163c2f64fbe392d2476daee11710106a432217c887ac0a1cfc",
+    hash: "dcf30edf3b58e0d50514bb1f4856367d5a468ded3bb1e6023eed88ec6d5af62a",
 };

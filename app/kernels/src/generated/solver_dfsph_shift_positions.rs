@@ -143,7 +143,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "9f34823c825d69516c8a10843479f5067e117dc1fb9bdf855fe2e737b8646129",
+    hash: "a9e47b89bd96ede6cebcc395b1d031cd7c809a772e1cfbb8b785e017804472e0",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "1ddf37f5dd165ae56fd4f79175501329d70d2d0d5dac904cc8476d2df156f386",
+    hash: "26f6c7c98f9ed68b307dca654a7cd954403b3cd48e898a19e947d2d3bd576d12",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "ff8ca25cffabfba9fff84beae7644a8201334529dd1833864a4cf7cc51c8717d",
+    hash: "18ac92a847b05af292ee88e832ff1aa4837c772258d93c15084e9f9eb74bcbca",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "bd9692dd8e848c277755802bbacef82f955a6c431a75643ea67618ca4aec1cc6",
+    hash: "dc2ee3a9b565d7b6e7d3e60721371eba756f1b3ef41e721f3382d011c80225bb",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -195,7 +195,7 @@ static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "757028a09aed303bceecb94d0e8ad6fa75565eadd669d005df746e8c271b584d",
+    hash: "e6b1ae6a278cc1ebdb552f1c7bedd6a1b97bea16d63239db37f9ca2d20f0ddee",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -208,5 +208,5 @@ static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "febba72a8f971e11296fcf57448db17c62829d278b979da58a4d83ca44228222",
+    hash: "e765159490fc2af4677a11e3c81530600c96f0656fbd7a3eb2302b247aecee47",
 };

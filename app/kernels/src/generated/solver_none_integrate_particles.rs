@@ -105,7 +105,7 @@ static INTEGRATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "496bb1fdd7fd34a2cd23b0b296c78181a583acc67dd3852a59fcfe979be01d61",
+    hash: "6b085ce00fd59f3629eb3ef7422ce6810c003731f6dcc8bfedec5f470773dd74",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
@@ -118,7 +118,7 @@ static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "555937c731c6829dbb89a5aa516daf680ba282afeba9bddfceee8fe1e66a0a3a",
+    hash: "0d38deb43984f19c25878924a4b7946106399a5e5055aba14d41fd03880ada69",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
@@ -131,7 +131,7 @@ static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "2943ec162348cad7ab4d32b661f2c69919df8b53cf3d79ed6a19f3074854f423",
+    hash: "05368edee27f3cf398531fe72a72c697a872ad0a0f22eb19ed9a23ab9cd7efcb",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -144,5 +144,5 @@ static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "683e0e39fb36b2f361c2793c50451d0e1d20306911e1467b00c1624b2f3455ce",
+    hash: "38d9b0a980b9747b60ccc17004e6c2b89d5a68570111b9c0378c90667af5eb08",
 };

@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "68293970dd5e1e6aa3dea640a93bce2e70ed0f5997d7e2b2f015a46cf011557b",
+    hash: "07e2032c5cb92f1ab8c89d7f78557fa73413c45dd2db6f84a0a8a0964bdc0fa2",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "9541af19b3bff68014d05071785ba0f67fe8034ff13801d7a84b47297b4e1c44",
+    hash: "bb765cf54645034ae2d2abe107b68f93c19cc44e7e6a49a0c42cfc2fc22cfbeb",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "65ccb32dd0fc649ae1826f616cc72d6e1b4f5d011767bd3b8be7dae81dd350e5",
+    hash: "ec3e1e46c9fa46cd775fbcc355b8acb386bd66240f83894467025c10ff57635a",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b186de20e287d593194250519cc450478dcc0d2aea36097429a18d00a4724779",
+    hash: "251b8a3c43ccd82a99a10fea9d4e6f00a62b860dd8e76a7dbdeb7c8c16eb8fad",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b2d348f217e497452a70457d1bc6ba084a877d8fceea1b044c9b9308ae4011d4",
+    hash: "552ef5994eab460f487dd259006c4e012f2e93f00b4137eee92521270f8d5435",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "14b6e6e14a4bf9e779c2ad9bfeff6a1f7acf6a5fab01b1315df34db80765ee4a",
+    hash: "ada10b34a84794705502f8f7699d7f29b7b879350413a418dae9ad9fcbea6e95",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "75303c71258b0e0a40527c0cffdf10be7831a62adcac5a3e760f77d503371680",
+    hash: "847d075bf9911c85faede5ecbfe5b4886600d97e3cb1b9208c15e24b15ff4904",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "50ae9eebe22c1bc87255ce4f07f2d37f8e6f06fcc83d1570b5b6b1e810d26fad",
+    hash: "313bf1be42cd9be528a8ebf07b0ddfe98b6283722bef957ddc891cdea4093572",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d7a14c7591b071ea6add0c0069598f0d0edae419734ff223612931a917bcc4b0",
+    hash: "efc2d8ae7c04d3c16c0988dfff12fa00d9905485d46d14023d614a88d8a27d77",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "62053e5ba9ad1d090a161abeb2f9714c366777ac6bf7a4881a18b754e2d6588e",
+    hash: "e3722900ee00db89fed6017e6660ebdc176520df42c711fcf3578bdeff3572ea",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "143e5663c6e15c3aca43c72dd4efb15b38ca15f66d604433be6d9447babe2330",
+    hash: "6a71b7d682658d4c7a725c71c867f270f2ffd049165aeacd56347af2eb3866f5",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "01ed78f4562db5609a1ea929cd9fe2dec9d9cf4cd1471cb072f91d02061ee860",
+    hash: "7baacb9df99f432cfb004609842c9423d5c508d3803158a9e65bfb8a1a2618a3",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f62fcfe46111e4b0d9814ee8342a28af15409bc35690bf836e883f663c2a9b67",
+    hash: "686b0f178bb9f545f8767939b7bbf78e77565eaceea5573c4f67674948d29097",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "c75a3d2247c4d4b2b2877ca5c38d3a2329fdec6f7424a6e660d186d04bf04e5d",
+    hash: "a4b0eb700a97f6551e8cf676e423223b771b76e2b7ed70f43858f0c25f0a01bb",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ea36a22cb7e060cf04984a4bdcf5c9c4237b1e13540a68bc3347845c6ea75631",
+    hash: "7ea77c7448cb4314d1c32970eb930ca039a890728d1c74253d1d3768a9f8bd6f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2d22522c9f39527da1765b09e9b1b78281c6f20bfdb3fc76e9ea6dbd1405609a",
+    hash: "2e1289bdd57e2f33f337cd7b88e7a22a94a34492adacfd5a3cdc0e0d269ce4c3",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "cf0f0f1dbbb61f655057e75bec28f5e85a42fd7a560859f465b7b94c546b5d7d",
+    hash: "4cb628207690dd36d0dcce96ca472e70a488818fc7d8476a562a051d0850677b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2dd8a12d56154f10be7fc19286c274d92a7cfd41914eea161235f225ff47c5ca",
+    hash: "1e8cd13875efe8dd497776c0742239921b66b07354a8daad5233ec88124061b8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d990107e53c201f8edeace2382ea8410fd138f82758f5573d8e2c85d9f959681",
+    hash: "0d21c7fb9d6660fbe2bb67fc2917ec5fcc7637402a549808ff00a723acf09266",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3c04b52f5a6877a31048a720deff308f31ed53434c35b7eb1525495d6aa3b661",
+    hash: "069756df62ef711a1d57803657cb4980501af8a0dcd0c51ff8f5f90ecf102014",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fcb3a75dc1690ce96878751e1492ed97676ac0921fd7efa5bedba9f0890e2638",
+    hash: "f0f39867d04f0605ca8f3d068955a2ac920f21f905be3c3fa2a097719cea2ba8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "76b21c77215a5c896ebc037e1235276f570181a814f9f160958d25c55648d640",
+    hash: "5536b7ce7923b0122cccd2d2056ce366f209c0554931ec4766ce75b0f1b349bf",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "46ed7ea80ef95acbf2c5bbc650709ad0c1d710cc2dcf44985e421ffbfce0de51",
+    hash: "eb82f8d5848c53889546a8bebfbbff77d86bc3986595a950b251a05e55607323",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d2b5193d7d7931e0e9570ceafae176f60230aed99ef647c4c8c4a0f6026eb223",
+    hash: "e0d0a81f5c2f090db8e38bfb943848161137aa2c18dca6f6f7b6e765e1fcec97",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "61266360204c43ec4dff16d78ccb0cbca184514c1d43826904c4606a9364a4c7",
+    hash: "fc8f55192366331b811de3d538e2b6f210cfce6efe6bed10bd8bf470c3b2e191",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2b8391e44cbfc53ff7aefbf802006f0267e0c044e99f10c3a1ec98c02a388612",
+    hash: "3277812fdebea81ae862c6b9acac238ef53232f8748a7b71d688c9d569cc791a",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "360f1cbe7a685f72e9f83bbb9151aa807792a98ec6a6d1b4eae2dc4f3eb4c06a",
+    hash: "96bf99cdf5cb169a9120fb1569dfa9acef002ba831afbea238a9643777d77c5f",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0ffc32d49cca9d0397539d478e28d3665aa94737b6fc4cc3087ccdc2f9c5ae4d",
+    hash: "b08424a90696aa6e73f2609fbd5103216a29a36fcde747e2da98e116a143d477",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b4d44d72e94bbc788b00e3d64fc855883f4e5c7b495ee4e265ae22fc59e0fdad",
+    hash: "2bc7008e013004e015a00b00e358c15b3c6078fa5eaa1b7d5b3046e1a65451f0",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e30fcd1fbc548ccbb678e856b2c69d8fd9288055eb73f9ffde7ae869f9bb674f",
+    hash: "ff6ae0bdc3c2259f8f1486fc29564f01de5aef6a6227f87af76f0e1b6b2bd510",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a1c642440dc049a04e8b82f72894741bac407bad0f6edaf533abf7c5bf713928",
+    hash: "102e5c77b0c9ca311bac165808d2b61fd29e12fb70c57465b3131ba15e3ce663",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fed6331527c62d367de1f7fcb35bdb7a6799bdc6f32b588e6a85908d1d7f561d",
+    hash: "6a2d2c8aaddd32f23118e1b525b1c6daeaf5a45c94ef4bbfe6f53db5c3a009fd",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1e099ed2a911b59169f89830e980a27b05aa05aecf956dd67a67b2f07e80ee60",
+    hash: "4150aeab897c55b203ae15edc2d72696d71d8669df0e622044762c2150885624",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2db8c9b7aa47d28ad20cad3e129f31c8b0b825ffd551832c64b3715606d245f9",
+    hash: "84c588b3c99cc54835aedd40645fdaffec1fef49ccfbf5fbf59c839b90a2f288",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5a42af796e1d4bfda29a5e70611e9bebf0a00094b0d03cb3c7984a0812b1e5de",
+    hash: "7becfb2ce723654f3d4e0d8ac9c96e93a39f6f08555bb579733baf1a9ad3c79b",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "05ee4707cdb31aed31bdf7bc710822cda36c9e99943646046fd8270b3d6f1d44",
+    hash: "d3217c8a6c4d1900a3074f6cb704928b44bfda1f146b69b23d15d97dedb9118d",
 };

@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ccd6b8bb499026f4fdac7a6da802544e992422ca4d4138873c28aa6bf8c86054",
+    hash: "c5728aef06cebb12746d54cb072fe18b54af159423d0561747ff877843eef200",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a66b700e8c323274b6fe2dfc373e1da06bd647f7c28b26dc1bc57a7361bb2eae",
+    hash: "731f0dac848ea78f1ffc127b24f0ad528ac476e91d7c03ec44cbd83df8b15ea4",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "ed94f76c5a537418668fce74c5fe8f241cc23a8fd7c68bc45a207c7198a8358e",
+    hash: "62e3f066b97bdd990eec073bbe552bd2beb4804d32f5d3663861848822dc5f7e",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4f307d33c8150eadbdc9210d4b63623d25a16d239a24188d1c50df649e08099f",
+    hash: "712b4a5f3b1229ee7c5648b3f0f98f25728fbf8058620f8ba8f8afb4a800495d",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "041c3394d771ea4553cba4f8e2921fd36263ae56da2ce4445903eecbcaa0c714",
+    hash: "bbb2487745ea4f5333539a209e17e05a7c2a4df987546d00dc4a4793357acc7f",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "e504a3a84f2db422e14b9f4724a74077112ca897e2930df15c120a4ba751e2cd",
+    hash: "18d8966a9b259f1f8e1347a83b01789720c7a8679f3d80f8cdbdc1a4c82314c8",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b3c23844d7a49b5d3b6e24133e6599ac24bdb745ba2c042f515272bcb713873f",
+    hash: "bd3c36538c36da30a808f7ad94f966f545edddf9af9b507ef32142d52fb92ad2",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "081f4aca9a2959a9bb6a8a66383c0310c7d0c5bee7e62dc80e4c0caa608abffb",
+    hash: "abbad09f538b6178d7491fc87a83ef47c03dea597f8c7c41e30f01a451edeb7a",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "708dc302b6f0b0acdf5a4e9eb8fd06ad8e9377b31e2b5778c8a9cad3424674af",
+    hash: "a4b068e54758c47a13e8df64e6b435e77e7524fb6800519f2e30fe674543059d",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "1bc072fab8d06d3216a6316631cfacececd7d9e2d305818add62895992c53b08",
+    hash: "d92231e34e2c924421d283f3d84b8a74e42767ca13edf67a67987d7a28711f1e",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5d8edff387668975f0a4c62b287a7d79f08d28437a46940981c027f17a63b69e",
+    hash: "35e8fc6e2b6d9db7035b60f85aede8bef019bf47c2c20f459a97ec871a80b7e3",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d0970c5667abff387674220f702416a59071da109b816c8271b14333f21d4a68",
+    hash: "50333bf9410f1bc247be4b75cc1975a05c0f7de6f02f5759ee79c645498feaad",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "940887d4c2de45cdbb43d444d7d66eeb9f0d128258bafba4074df134f8c7e54d",
+    hash: "6d311c729b7673105f99b00fdddcf1d802d2efe2e252ae6e534ff6119caf419c",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "4f6190579537f66844555289f392615833317fc5f73dd42f5a921009203085b8",
+    hash: "39d18816debd3faa3f310e297d7853c8debcc96878fb5a18d8d75d6663a65c20",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "73afe8a5bddc126a923ee3d8e19f65debe0854a54f3f0adae52116a232c7d892",
+    hash: "fe9c4f782e3f8ee3d1b006ec84aebeb5016f9796f5f3b43e763dee714f178b30",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "b9ac62c01ab6ea9d8b2ae8fdd8054b99b2caaad45b4bfb9f03c423c210a162af",
+    hash: "d16a2b21f0ee6ac826bea26fd667b7240f5c1f0e96adf5dd52a213a6c1aacd3e",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "5e23b301c809241f091482b45c7a122480b1d5a813975f9936b5d9a9d9996a51",
+    hash: "54d9d0154d913e854526420cfcdc7f85d30926b286f7705ccc81a43336b1a8fe",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c87db18a5037711c0e6f534a81daebaa123d709c5bdf6152e86649f7a1464213",
+    hash: "f4e02f14f0d4d3fb5f6ec063a8ca2e5f7c3b148dad9cbffac8ab5b891b10552c",
 };

@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "fa43800dcadaca8b818da2f8c0ddfb631e50762fa33cdfd8327b6db89379fe0d",
+    hash: "516105ed5da40a8323265f8cc6557730bcfe8d819032efa9634e3f646e439333",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "ad76b5ea66c429db2cc661720f456025eb6a789580d022be6b583bff1dcdf396",
+    hash: "7189b10a3b2fce82342f53d04c69c83e6a9e694f3f7e50e2d28f2fcaddb91b85",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "5686d38c2ce95b60fab02c45e02e4bb1ca68ca93ccb1aa4523a56eaffd62b344",
+    hash: "8eed1bb7a6ec1f2b0d204628d1314fd0d37ee4b4f8481780f065895e5bf722b9",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "f8bb8ca087efe55869653f9daa3d12a5ba7f2feaa242c2fdd5df7a8b40c568d4",
+    hash: "74f1a158e80b13511cffd22a700cb921401c0dadb3d8e57aa5dbe9a714ac23eb",
 };

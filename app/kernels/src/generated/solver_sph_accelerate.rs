@@ -252,7 +252,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "31b832a7623cd797c48f0ab084883a07fba658316daec523c257865f663f62ee",
+    hash: "7fee78badf6eac16e9abd7dccbfe091731826db25b16ea8ce562538b8d1a5606",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -265,7 +265,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "098cd858e5ee9ad74b1925f3a0edb22138399011f1bb9f29afae28981998d6bc",
+    hash: "63a268ff53ff57609121af04b73524aeddaea18313b813c0061aa3aab5940f67",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -278,7 +278,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "632241609170a35bf0777db5dffca04150f4f8a3ccf063057ac232dc1a33fa44",
+    hash: "8e70c434bbab2b3ac222b81f1076c6505b60a819d7fe34f257297530154f5502",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -291,7 +291,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a71db6585eca450ccd114938da6b47044a4a4cb304eca4d92164bfcfa832837c",
+    hash: "4d927123d1cbca903e5eb4aa20ef12f471c1577ea1493dd638e77a7d2456f9dc",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -304,7 +304,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "467783d05d35aadc5f9910a13605de811bb65723c76cc7920414a6c615e5e917",
+    hash: "bcfe2a232029ad99140e8611d1559caa48b417df43e04895ccb1dee6fe71e455",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -317,7 +317,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "fd7e6dfad8c4f9c8ba9f9443cba2aafadf71f5297c1605d2edf7853f1f339523",
+    hash: "6d7ceffe5e050a9e05ffdb0b73c144cb2f6aa55689373c8b372e73f0e3ae049a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -330,7 +330,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c693f1ea2c3f0e64430304cd83f55cc609e578ba1d82fde931b4f82d055600ce",
+    hash: "b43aaff53a9179686d507b59da3a08c633cab3b6d83289b72c4cceb1be804221",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -343,7 +343,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "180cefd4fa2d5c0de9ec1cdee7977b442d072a2391f4a5842680851e9c7b510b",
+    hash: "97287b421d625ee9b5b453b03e112d0bb43ea684f9e468ec2d90e54239484273",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -356,7 +356,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "672e1ebc7bcd2a319fba7479f3e0b9c7445d46fa919ebaa93428db2ff08a406a",
+    hash: "197f04ff6fa4a27e75d15724217f392d8cc1f33d1d4a90d86e5c344db921f93c",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -369,7 +369,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ed2e2a83cb4d234b7502a2037034aba0c363b78e2494a45d9bd5d6d5fe78571a",
+    hash: "8c27de3f636e628e824896dd3e70cd63a94028bd817029a24d2fe17065976536",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -382,7 +382,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "00788db91b9c52050185f2eca4a1f858066f6c7a5a38246ede0d4b8bbe8b8bb0",
+    hash: "a7e0664f5ba7bf6e4f5f6c123c2b259246aaef642c2d4e101d305aa16d881030",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -395,7 +395,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b2e2e46f34751f83dfb8bc015be86e4e1837ed6f5f326e532102ee448392a54c",
+    hash: "47cd247aba9bffcf185b4c725c25aeb52461f99719a5a67a702227cb5d57c067",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -408,7 +408,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "44f34603b950f64a243b40fa9064a162a275964a1a52d819dfe56b49f0c45a50",
+    hash: "384d897989177a55c0a8c85eb99d343775da4bdc49fb99166b6ff0d1ef0987ba",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -421,7 +421,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b54ae0c8d767790cddfe4021d0f05102578f93454d9ce197f9e53a0f996a603f",
+    hash: "d18fdd2c7f608d961ef3ed4ea09fefa39744fcc15da0ad2bccbcd64cf123d850",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -434,7 +434,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "4c5eb44c68765ecdac3cf89c75d429f10daa96f8ba44f7e7e0688e83614501cb",
+    hash: "aefebc15d5ef03879215e87820cc0ff8712833be353687f61be3d37a811315c5",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -447,7 +447,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0b5446a80e3ed63c2212572bb90431006880629e176c522e2b157ae2035a354d",
+    hash: "b94b7948fc0d28377b0a870c01dabd3d8e2844cb11861bfcc9f55f981a3b3672",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -460,7 +460,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "dee6c3bb3e0e326c2eb084b9274ea53d14ac6dad4f084cd35b52dafea9617bd2",
+    hash: "ed555e42347d61e075374b59dbb3d8e7c8d033381878d498d8e4c7d97ac4bf62",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -473,7 +473,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "0cc4af0efe65c4acaa8b4db6d48b587779660dc05b6d720756d3b331fd817d6e",
+    hash: "4c6821c7ec9ca8c322618a3c514856754fa94a05a402d9208ecfd665d89f497c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -486,7 +486,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "9da994204cd0812f1b617f5673d5ebd19fb8b569403c6e12010fb4a9f03a24d2",
+    hash: "ce09588efb001f671e958b3dc61bc5be1bec9982a41cd88ec287220fee52fb18",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -499,7 +499,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "97478b3e618d8f6d7c49e522cd6d7ec2c51ff8530d1541e526a42c4b9ad80faa",
+    hash: "a7520690acc6c93911ee555b3ca2374c7686ac60944f18396db6e8d5a2ddb551",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -512,7 +512,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b50868517f5b5bcf1138b526b34e3f17aa97654a7708782375a4e05bd5b9c171",
+    hash: "6303628333ce5a7048adc58c549114130f4d67ea35e5190fc4600ee01c88abb6",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -525,7 +525,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "55f4bfc1c6924b2311f099d3cec52faa2d214acaf8645fc53ff4fec66f6f81af",
+    hash: "4979a0687cd79d227f0cbca8226b3735bfb25ef39e32cb323e9b7ce187c20c83",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -538,7 +538,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8f2bee41ea6b77f3d37ed082158924986659fa68fc6d24c6bb13f4f31c53baa7",
+    hash: "c0f6e642c94e07dfeb158d6ecfeb28a3e9d8959ea8a94b0a007165533f315384",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -551,5 +551,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "74ea42decbdf29d6b06ae2ceaf6bdbd574e3d76d9bfb997a40e231d0494804b6",
+    hash: "d59240f0bef08932b2d91087cce7e6e50314a810f07972352e81c8fa69d8a94a",
 };

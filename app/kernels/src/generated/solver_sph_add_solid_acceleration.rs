@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "856276a68be05c725ed1b73abf119dc3cbac57c3ffd385f11ed9e69c6058fbba",
+    hash: "a835bf567e248dfa65cb4b10d1a0eec3639e1fd5d2bad566189d2fab76b24bab",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "1145eb6854079d35e70ad3c185d472b7d45d574ced4a836212da84af03f5ab23",
+    hash: "d386bae448ae43a4cc00b5469ce458878f96776aef29e8b54118d5e744407ff3",
 };

@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "7f07379d9d7768b8bc37db69a106b932d75a24d5fcadb2bf5054ec67a2f9f48b",
+    hash: "d01894fcb92bddb75b23f069467cd75a3e1705c6e3aa096e6de8f15f4c1efa77",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "b312ea9d1a0275c66d84694d935c265b90440e99827db9b3abaff9690ec42121",
+    hash: "20c4ed9f5b90bf20022fa625bdc59f967de879a608d3270fe89a4a26b31aefc0",
 };

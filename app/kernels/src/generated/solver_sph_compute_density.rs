@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "2a88adeb7b29e27224f90bf1a80b8082b753a69f634d5bf56bd36e4cccf97c37",
+    hash: "cef1b13a0d5ec4a1cf51d7087b228f2a0551eef6a27f2f438a4b3e1598ac5a02",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a377b0db5a8e33853e3a11acbe38af8233b1190e26efe75989b88f163ce13998",
+    hash: "f6948bc898fe0f03f0df2b5b7609fe6badc3048b5e3c9f6b673c1b88d0f3a9ca",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "31ef715d96882775c3262c1c31b3b932b2844c248bebfaee85d63c8c6d36842a",
+    hash: "7829c33ee433f648c4d7f3ca40e30ed82566ebd7a86fe68e03c0939c313ae14c",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6db65512c980709bf834e47c6ee299198ae476e01a1dfb4f9b051564b209739f",
+    hash: "dcdf5e3746a00fd1bb868bf948884c935a4d5007fb166eb7f2d03f17d74dc90c",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "81670372d4d72235526862ff50937deaabd0b2051e65f7e67d85d4a7353a4feb",
+    hash: "3d3c7eaa97204bd4f9de590d9b8b5ee91d95a3f7cc44994faed061cd05fbe0f6",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "2874a698153297a4586dda9a1751d37350eafc7eb8a9a0a6c8fa6da7689b42be",
+    hash: "d6f885d01e88a695220a9626ab5bc00aa0c8a9ba4fbbb7484df2e97289bc9957",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "20226a464e30d84720d8db64d88e8e5a7aa29dde20c3453b7827f6eec06e65b5",
+    hash: "ac8162c110a386f0b2df913c44647838874aec5c4448138010969d5331bfe1e4",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5ab16330910c772ce9c316fa95f4e1ac07b22b8cdfcbbf05de1864b6392f26a0",
+    hash: "e8b2ee7e6cb4cc52363a43d58a17583a0f19496d9ab42a46949288f9ea64d66f",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "362f4c79acec2d049d1ae5cdf1c934aee5140230af36b3583d45e68d827f7c50",
+    hash: "9aeabe37c12749ef78e0335770d997c8b171d0d893b4d210afccd51bc4c2b691",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "04bb6eb17f49cf2693aecf12279fb1f7ed198c0d388e290b6ebf43552b6bd4e5",
+    hash: "68d4be1a75dbc01b5bd12e100e464dc29de1575333edfd69c47b3dae10c5c616",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "baeeceb9401b96b5308b0bbecfcc6e74a1ba6d9b34b6a62334a6f38cf367bbd6",
+    hash: "3987ea4a398f7a102c847140d68804f66a28685d320a77b6288a3b62d9db49b0",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "208cf45a04b377e86ba97eb9b6f7314a6dc32b98e735f0055200211a6510a09e",
+    hash: "e3abdae9d0e4ad73d132a84c4d758180d6af7a0f5fbc4269092da5c0c71c5e02",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f956bdc0317dc4a8e4b8b20f24c1a97c2505be366416061c909e966c505b564c",
+    hash: "92c205c9ec36a72ada1962a389ec3586bf86ce931ab062329d74ede959134ae6",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4107a59ab136356e9d77e6fb16ea9f31c3f4ed91127475d17747de8c30fc66bc",
+    hash: "6c6cd5781864861f5e1c7edf8ccb85d1b00a88e119913f728dc407a14a64cfe5",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "65f5d458082569855702482d2946d319b2efe0790f014c59f9136e6477715727",
+    hash: "3ecffd2a7e1d979e85bb3132414dd4b9d6dcf6aa355d28b0030a5d2dcc42d3c2",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "de32c726bf08eb0489a23c55858048135a25432ae735fc6cb59effd15b9f9bdb",
+    hash: "248195f7dac5929d3c74d5aa03c1d7649e6b70b36a2d7df5844ec3faf9f058f4",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "af63b23def529478b442d53f542f4a24a57399f370893867bb31bd02367d1a22",
+    hash: "fed06ff4b324b331f4e1c32d1c20531d39b62c5fc37b951041c7b8e5a4275242",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "c0c4fc2eedf56f5d323fa644942036ed007695a2235cbc20761374841feb2ba2",
+    hash: "e7af37125c1d839fdf46e14909d95f3373306a0509030f948cdbc597f6274a3c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0e015564e574632e39fd21e13368483617366dd020b7690ccffd1f3492849294",
+    hash: "efed696040e239150cb12cd4ab27dd654c3a9e624f1f6ea32d9d7fab2f8b27fc",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6a04026cf5c690834da5db8fd25d7e714bcb7a6345d04f39883c477a110bf2fb",
+    hash: "604dedd7f0d03dc0e641dcf5cdf0ab51ac88e27727c5a76172b8d796dc176867",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d47682017b083e99ed69918da197e050fb4ac4239e51635ab7ea3d43b7ae2999",
+    hash: "b720bf9ba9be33ffdb33d6fcf9aa77416dbf6b0c114105f39f36f07f4d90dcd9",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ec35f89cd1844f0348382190c10e3a357c1192faee89d36f866b081270e97945",
+    hash: "67a73a071c967c74a6f97989f2aa774553008044ad552c06c48a6cc0750bd4d8",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "5789147d88d6e4cd4d33897872129c61fb5792fbe7805be30cbf416df1cc1996",
+    hash: "4ef8b7b1954277fcd8171e54ddc881217a8a2ddf0cac3759f2fcbdd43b17f385",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "04fe1f157659f9e86208526d9abc59073de541edd2bb88a9e940b31e3aa944b0",
+    hash: "a2e34d69b84c69d50672b7c0a884b590846ab5b7473a82690f2c1eff62106f63",
 };

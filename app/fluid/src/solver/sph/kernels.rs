@@ -8,7 +8,7 @@ use brooklet_kernels::{SmoothingKernelParams, SphKernels};
 use crate::boundary::{WallScales, fitted_wall_kernel_fraction, share, share_slope};
 use crate::scene::{Scene, SmoothingKernel};
 use crate::smoothing_kernel::for_lattice;
-use crate::smoothing_kernel_params::{params_with_walls, without_walls};
+use crate::smoothing_kernel_params::{params_with_walls, with_walls_if};
 
 /// W over a factor: coefficients of t³ to t⁶ and of s³, t = 1 - q and s = 1 - 2q where they are not negative.
 #[derive(Clone, Copy, Debug)]
@@ -128,15 +128,13 @@ pub fn sph_kernels(scene: &Scene) -> SphKernels {
 
 /// What walls count in the density: as fluid beyond them would with its kernel.
 pub fn density_walls(scene: &Scene) -> SmoothingKernelParams {
-    let walls = walls_of(scene, scene.solver.sph.density_kernel);
-    if scene.domain.wall.model.counts_in_density() { walls } else { without_walls(walls) }
+    with_walls_if(scene.domain.wall.model.counts_in_density(), walls_of(scene, scene.solver.sph.density_kernel))
 }
 
 /// What walls answer to pressure: likewise. Not scaled until even pressure leaves the lattice's first layer where it is,
 /// which would be 1.4 times as much at h = 2 d: fluid is no lattice for long, and such walls drove a pool about for ever.
 pub fn pressure_walls(scene: &Scene) -> SmoothingKernelParams {
-    let walls = walls_of(scene, scene.solver.sph.pressure_kernel);
-    if scene.domain.wall.model.answers_pressure() { walls } else { without_walls(walls) }
+    with_walls_if(scene.domain.wall.model.answers_pressure(), walls_of(scene, scene.solver.sph.pressure_kernel))
 }
 
 /// Half a spacing in h: where the lattice's first layer is.

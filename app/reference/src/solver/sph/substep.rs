@@ -46,7 +46,6 @@ impl Sph {
             if chosen.dt_s == 0.0 {
                 return 0.0;
             }
-            self.maxima = [0.0; 2];
             step.dt_s = chosen.dt_s;
         }
         for particle in particles.iter_mut() {
