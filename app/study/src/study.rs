@@ -27,13 +27,13 @@ impl Study {
     pub fn tasks(&self) -> Result<Vec<Task>, StudyError> {
         let mut tasks = Vec::new();
         if self.validation {
-            tasks.extend(validation::tasks(self.quick));
+            tasks.extend(validation::tasks(self.quick).into_iter().map(|(_, task)| task));
         }
         if let Some(choice) = &self.error {
             tasks.extend(error::tasks(choice)?);
             // What is asked for by name is all that is wanted.
             if choice.is_whole() {
-                tasks.extend(error::order_tasks(self.quick));
+                tasks.extend(error::order_tasks(self.quick).into_iter().map(|(_, task)| task));
                 tasks.extend(error::jacobi_tasks());
                 tasks.extend(error::overhead_tasks(self.quick));
                 if !self.quick {

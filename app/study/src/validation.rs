@@ -3,7 +3,7 @@
 
 use crate::Task;
 use crate::case::{CASES, OF_SPH};
-use crate::method::METHODS;
+use crate::method::{METHODS, Method, method};
 
 /// Part of a study.
 pub const PART: &str = "validation";
@@ -11,16 +11,16 @@ pub const PART: &str = "validation";
 /// Cases that a quick look takes.
 const QUICK: [&str; 4] = ["free-fall", "hydrostatic", "elliptical-drop", "martin-moyce"];
 
-/// Each case with each method.
-pub fn tasks(quick: bool) -> Vec<Task> {
+/// Each case with each method that has it, and which that is.
+pub fn tasks(quick: bool) -> Vec<(&'static Method, Task)> {
     let wanted = |name: &str| !quick || QUICK.contains(&name);
     // What a converged run is held against is a question of error, not of validation by others.
     let published = CASES.iter().filter(|case| case.name() != "column-collapse" && wanted(case.name()));
-    let of_sph = OF_SPH.iter().filter(|case| wanted(case.name()));
-    let of_sph = of_sph.map(|case| crate::error::task(PART, *case, vec!["solver.method=sph".into()], 1));
     let methods = || METHODS.iter().filter(|method| !quick || method.few.is_empty());
-    published
-        .flat_map(|case| methods().map(|method| crate::error::task(PART, *case, vec![method.setting()], 1)))
+    let of_all = published.flat_map(|case| methods().map(move |method| (method, *case)));
+    let of_sph = OF_SPH.iter().filter(|case| wanted(case.name())).filter_map(|case| Some((method("sph")?, *case)));
+    of_all
         .chain(of_sph)
+        .map(|(method, case)| (method, crate::error::task(PART, case, vec![method.setting()], 1)))
         .collect()
 }

@@ -14,7 +14,6 @@ mod sloshing;
 mod square_patch;
 mod standing_wave;
 mod taylor_green;
-mod waiting;
 mod wall_pressure;
 
 pub use capillary_drop::CapillaryDrop;
@@ -24,12 +23,12 @@ pub use dam_break::{MARTIN_MOYCE, SQUARE_COLUMN};
 pub use elliptical_drop::EllipticalDrop;
 pub use free_fall::FreeFall;
 pub use gauge::Gauges;
-pub use hydrostatic::{HYDROSTATIC, SHALLOW};
+pub(crate) use hydrostatic::bottom_compression;
+pub use hydrostatic::{HEIGHT_M as HYDROSTATIC_HEIGHT_M, HYDROSTATIC, SHALLOW};
 pub use sloshing::Sloshing;
 pub use square_patch::SquarePatch;
-pub use standing_wave::StandingWave;
-pub use taylor_green::{TAYLOR_GREEN, TAYLOR_GREEN_JITTERED};
-pub use waiting::{WAITING, Waiting};
+pub use standing_wave::{STANDING_WAVE, StandingWave, VISCOUS_WAVE};
+pub use taylor_green::{TAYLOR_GREEN, TAYLOR_GREEN_JITTERED, TAYLOR_GREEN_VISCOUS};
 pub use wall_pressure::WallPressure;
 
 use serde::{Deserialize, Serialize};
@@ -107,7 +106,7 @@ pub(crate) const FLAT_SUPPORT_RATIO: f64 = 3.0;
 pub const CASES: &[&dyn Case] = &[
     &FreeFall,
     &HYDROSTATIC,
-    &StandingWave,
+    &STANDING_WAVE,
     &EllipticalDrop,
     &SquarePatch,
     &TAYLOR_GREEN,
@@ -121,7 +120,7 @@ pub const CASES: &[&dyn Case] = &[
 ];
 
 /// Cases of a viscosity and a surface tension that are set, which SPH alone has.
-pub const OF_SPH: &[&dyn Case] = &[&COUETTE, &POISEUILLE, &CapillaryDrop];
+pub const OF_SPH: &[&dyn Case] = &[&COUETTE, &POISEUILLE, &CapillaryDrop, &VISCOUS_WAVE, &TAYLOR_GREEN_VISCOUS];
 
 /// Cases of maps alone.
 const OF_MAPS: &[&dyn Case] = &[&SHALLOW];
@@ -168,8 +167,9 @@ mod tests {
 
     #[test]
     fn every_case_has_a_name_of_its_own_and_a_sound_setup() {
-        let mut names: Vec<&str> = CASES.iter().map(|case| case.name()).collect();
-        for case in CASES {
+        let all = || CASES.iter().chain(OF_SPH);
+        let mut names: Vec<&str> = all().map(|case| case.name()).collect();
+        for case in all() {
             let setup = case.setup(&[]).unwrap_or_else(|error| panic!("{}: {error}", case.name()));
             assert!(setup.count() > 0 && setup.count() < 8_000, "{}: {}", case.name(), setup.count());
             assert!(setup.steps() > 0 && setup.sample_steps().len() > 1, "{}", case.name());
@@ -179,7 +179,7 @@ mod tests {
         }
         names.sort_unstable();
         names.dedup();
-        assert_eq!(names.len(), CASES.len());
+        assert_eq!(names.len(), all().count());
         assert!(case("no such case").is_none());
     }
 

@@ -1,27 +1,38 @@
 //! Whether the f64 twins converge to the closed forms: the order over spacings.
 
 use super::{ORDER_PART, task};
-use crate::case::{Case, EllipticalDrop, StandingWave};
+use crate::case::{Case, EllipticalDrop, STANDING_WAVE};
+use crate::method::{METHODS, Method};
 use crate::session::{Session, StudyError};
 use crate::{Figure, Outcome, Sample, State, Task, case, energy};
 
 /// Cases whose order is shown, which figure falls, and the spacings (multiples of the case's own, falling).
 pub const ORDER_CASES: &[(&dyn Case, &str, &[f64])] =
-    &[(&EllipticalDrop, "axis error", &[2.0, 1.0, 0.5]), (&StandingWave, "amplitude error", &[2.0, 1.0, 0.5])];
-/// So many iterations leave little of the compression that PBF's few would: the order is the
-/// discretisation's.
-const ITERATIONS: u32 = 24;
+    &[(&EllipticalDrop, "axis error", &[2.0, 1.0, 0.5]), (&STANDING_WAVE, "amplitude error", &[2.0, 1.0, 0.5])];
+/// What leaves little of the error that a solver's work leaves, so that the order is the discretisation's: many iterations, or
+/// small tolerances. An equation of state's compression is part of what it is.
+const EXACT: [(&str, &[&str]); 2] = [
+    ("pbf", &["solver.pbf.iterations=24"]),
+    ("dfsph", &["solver.dfsph.divergence_tolerance=3e-5", "solver.dfsph.density_tolerance=1e-4"]),
+];
 
-/// A run of each case and spacing; a quick look takes the coarser two of the first.
-pub fn order_tasks(quick: bool) -> Vec<Task> {
-    let of = |&(case, _, factors): &(&'static dyn Case, &'static str, &'static [f64])| {
-        let taken = if quick { &factors[..2] } else { factors };
-        let settings = |factor: &f64| {
-            vec![format!("spacing_m={:?}", factor * case.spacing_m()), format!("solver.pbf.iterations={ITERATIONS}")]
-        };
-        taken.iter().map(|factor| task(ORDER_PART, case, settings(factor), 1)).collect::<Vec<_>>()
-    };
-    ORDER_CASES.iter().take(if quick { 1 } else { ORDER_CASES.len() }).flat_map(of).collect()
+/// A run of each solver, case and spacing, with whose it is; a quick look takes the coarser two of the first solver and case.
+pub fn order_tasks(quick: bool) -> Vec<(&'static Method, Task)> {
+    let methods = METHODS.iter().take(if quick { 1 } else { METHODS.len() });
+    let cases = ORDER_CASES.iter().take(if quick { 1 } else { ORDER_CASES.len() });
+    let mut tasks = Vec::new();
+    for method in methods {
+        let exact = EXACT.iter().filter(|(name, _)| *name == method.name).flat_map(|(_, settings)| *settings);
+        for &(case, _, factors) in cases.clone() {
+            for factor in if quick { &factors[..2] } else { factors } {
+                let spacing = format!("spacing_m={:?}", factor * case.spacing_m());
+                let mut settings = vec![method.setting(), spacing];
+                settings.extend(exact.clone().map(|&setting| setting.to_owned()));
+                tasks.push((method, task(ORDER_PART, case, settings, 1)));
+            }
+        }
+    }
+    tasks
 }
 
 /// Runs a case in f64.

@@ -3,25 +3,18 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::plot::{INK, Line, Mark, PALETTE, Plot};
-use super::work_precision::short;
+use super::work_precision::{mark_of, short};
 use crate::error::{Convergence, ORDER_CASES, equal_work_tasks, jacobi_tasks, order_tasks, overhead_tasks};
+use crate::method::{METHODS, Method};
 use crate::{Figure, Outcome, Store, Task};
 
-const SIZE_PX: (u32, u32) = (620, 380);
+const SIZE_PX: (u32, u32) = (680, 380);
 
-/// Spacing and error of each f64 run, by case.
-fn orders(quick: bool, store: &Store) -> Vec<(&'static str, Vec<(f64, f64)>)> {
-    let tasks = order_tasks(quick);
-    let of = |case: &'static str, error: &str| {
-        let found = tasks.iter().filter(|task| task.case == case).filter_map(|task| store.get(task));
-        let point = |outcome: &Outcome| Some((outcome.figure("spacing")?.value?, outcome.figure(error)?.value?.abs()));
-        (case, found.filter_map(point).collect())
-    };
-    ORDER_CASES
-        .iter()
-        .map(|(case, error, _)| of(case.name(), error))
-        .filter(|(_, points): &(_, Vec<_>)| !points.is_empty())
-        .collect()
+/// Spacing and error of each f64 run of a case by a solver.
+fn order(method: &Method, case: &str, error: &str, quick: bool, store: &Store) -> Vec<(f64, f64)> {
+    let tasks = order_tasks(quick).into_iter().filter(|(of, task)| of.name == method.name && task.case == case);
+    let point = |outcome: &Outcome| Some((outcome.figure("spacing")?.value?, outcome.figure(error)?.value?.abs()));
+    tasks.filter_map(|(_, task)| point(store.get(&task)?)).collect()
 }
 
 /// Slope of log error over log spacing: least squares. None below two points.
@@ -38,12 +31,19 @@ pub fn order_of(points: &[(f64, f64)]) -> Option<f64> {
 
 fn order_plot(quick: bool, store: &Store) -> Plot {
     let mut lines = Vec::new();
-    for ((case, points), color) in orders(quick, store).into_iter().zip(PALETTE) {
-        let order = order_of(&points).map_or(String::new(), |order| format!(" ({order:.2})"));
-        lines.push(Line { name: format!("{case}{order}"), color, mark: Mark::LineDots, points: points.clone() });
-        if let Some(&(x, y)) = points.first() {
-            let first = points.iter().map(|&(at, _)| (at, y * at / x)).collect();
-            lines.push(Line { name: "first order".into(), color: INK, mark: Mark::Dashed, points: first });
+    for (&(case, error, _), color) in ORDER_CASES.iter().zip(PALETTE) {
+        let mut coarsest: Option<Vec<(f64, f64)>> = None;
+        for method in METHODS {
+            let points = order(method, case.name(), error, quick, store);
+            let Some(&(x, y)) = points.first() else { continue };
+            let slope = order_of(&points).map_or(String::new(), |order| format!(" ({order:.2})"));
+            let name = format!("{} {}{slope}", method.name, case.name());
+            coarsest.get_or_insert(points.iter().map(|&(at, _)| (at, y * at / x)).collect());
+            lines.push(Line { name, color, mark: mark_of(method), points });
+        }
+        if let Some(points) = coarsest {
+            let name = if lines.iter().any(|line| line.mark == Mark::Dashed) { "" } else { "first order" };
+            lines.push(Line { name: name.into(), color: INK, mark: Mark::Dashed, points });
         }
     }
     Plot {
@@ -137,7 +137,7 @@ pub fn section(quick: bool, store: &Store) -> Markup {
             (PreEscaped(jacobi_plot(store).svg()))
             (PreEscaped(equal_work_plot(store).svg()))
         }
-        p { "The f64 twins of every kernel, 24 iterations a substep, on falling spacings with steps in proportion; the order in brackets is the slope of a straight line through all points." }
+        p { "The f64 twins of every kernel, by each solver (PBF with 24 iterations a substep, DFSPH with a tenth of its tolerances), on falling spacings with steps in proportion; the order in brackets is the slope of a straight line through all points." }
         @if !found.is_empty() {
             table {
                 thead { tr { th { "particles" } th { "substeps × iterations" } th { "mean compression" } th { "p99" } th { "GPU s/s" } } }

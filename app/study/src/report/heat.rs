@@ -19,6 +19,8 @@ pub struct Heat<'a> {
     pub cells: &'a [Cell],
     /// Value of the palest colour and of the darkest, on a logarithmic scale.
     pub range: (f64, f64),
+    /// What theory's value of a cell is called.
+    pub theory: &'a str,
     /// Whether theory gives the largest y of each x, drawn as a line; else a value for each cell, written
     /// under the measured one.
     pub limit: bool,
@@ -109,7 +111,7 @@ impl Heat<'_> {
         let ink = if dark { &WHITE } else { &INK };
         let theory = match (sound, self.limit) {
             (false, _) => cell.state.word().to_string(),
-            (true, false) => format!("law {}", short(cell.theory)),
+            (true, false) => format!("{} {}", self.theory, short(cell.theory)),
             (true, true) => String::new(),
         };
         let energy =
@@ -156,7 +158,7 @@ mod tests {
         let cell =
             |x: f64, state| Cell { x, y: 0.5, state, value: Some(0.01), energy: Some((x - 2.0, 0.01)), theory: 0.7 };
         let cells = [cell(2.0, State::Stable), cell(3.0, State::Unstable)];
-        let heat = |cells| Heat { title: "t", x: "x", y: "y", cells, range: (1e-4, 1.0), limit: true };
+        let heat = |cells| Heat { title: "t", x: "x", y: "y", cells, range: (1e-4, 1.0), theory: "", limit: true };
         let svg = heat(&cells).svg();
         assert!(svg.contains("unstable, said"));
         assert!(svg.contains("E ok") && svg.contains("E 1.000 !"), "{svg}");

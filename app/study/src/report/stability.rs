@@ -13,21 +13,31 @@ fn found(quick: bool, store: &Store) -> Vec<(Task, &Outcome)> {
 
 fn heat(map: Map, quick: bool, store: &Store) -> String {
     let cells = map.cells(quick, store);
+    let of_compression =
+        |title, x, theory| Heat { title, x, y: "substeps", cells: &cells, range: (1e-3, 0.5), theory, limit: false };
     match map {
-        Map::Compression => Heat {
-            title: "compression (p99) of a column of 20 layers, and the column law's",
-            x: "iterations a substep",
-            y: "substeps",
-            cells: &cells,
-            range: (1e-3, 0.5),
-            limit: false,
-        },
+        Map::Compression => of_compression(
+            "pbf: compression (p99) of a column of 20 layers, and the column law's",
+            "iterations a substep",
+            "law",
+        ),
+        Map::Stiffness => of_compression(
+            "sph: compression (p99) of the same column, and its equation of state's",
+            "stiffness, m²/s²",
+            "g H/k",
+        ),
+        Map::Tolerance => of_compression(
+            "dfsph: compression (p99) of the same column, and the tolerance",
+            "divergence tolerance",
+            "tol.",
+        ),
         Map::Relaxation => Heat {
-            title: "kinetic energy over g H of a column that should rest; the line is 2/λmax",
+            title: "pbf: kinetic energy over g H of a column that should rest; the line is 2/λmax",
             x: "h/d",
             y: "relaxation ω",
             cells: &cells,
             range: (1e-8, 1e-1),
+            theory: "",
             limit: true,
         },
     }
@@ -36,8 +46,7 @@ fn heat(map: Map, quick: bool, store: &Store) -> String {
 
 /// The maps.
 pub fn plots(quick: bool, store: &Store) -> Vec<(String, String)> {
-    let named = [("map-compression", Map::Compression), ("map-relaxation", Map::Relaxation)];
-    named.into_iter().map(|(name, map)| (name.to_string(), heat(map, quick, store))).collect()
+    Map::ALL.into_iter().map(|map| (map.name().to_string(), heat(map, quick, store))).collect()
 }
 
 /// How many cells of the matrix ended in each way.
@@ -55,8 +64,7 @@ pub fn section(quick: bool, store: &Store) -> Markup {
         h2 id="stability" { "Stability" }
         p { "Of PBF every pair of extreme case, precision, tier, order, acceleration and coarse correction meets in at least one run; other solvers run each case as they are. SILENT would be a run that went wrong without the program's own counts or measurements saying so." }
         div.plots {
-            (PreEscaped(heat(Map::Compression, quick, store)))
-            (PreEscaped(heat(Map::Relaxation, quick, store)))
+            @for map in Map::ALL { (PreEscaped(heat(map, quick, store))) }
         }
         table {
             thead { tr { th { "" } th { "case" } th { "expected" } th { "run as" } th { "outcome" } th { "figures beyond limits, or counts" } } }

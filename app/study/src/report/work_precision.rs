@@ -7,7 +7,7 @@ use plotters::style::RGBColor;
 use super::plot::{INK, Line, Mark, PALETTE, Plot, RED};
 use crate::case::Reference;
 use crate::error::{Choice, Curve, Point, curves, front};
-use crate::method::METHODS;
+use crate::method::{METHODS, Method};
 use crate::session::StudyError;
 use crate::{State, Store};
 
@@ -15,6 +15,12 @@ use crate::{State, Store};
 const SIZE_PX: [u32; 3] = [860, 430, 22];
 /// A solver's, in the order of [`METHODS`].
 const MARKS: [Mark; 3] = [Mark::LineDots, Mark::LineSquares, Mark::LineTriangles];
+
+/// A solver's mark, the same in all plots.
+pub fn mark_of(method: &Method) -> Mark {
+    let solver = METHODS.iter().position(|of| of.name == method.name).unwrap_or(0);
+    MARKS[solver % MARKS.len()]
+}
 
 /// How a curve is drawn: a knob's colour is the same by every solver, a solver's mark by every knob.
 fn look(curve: &Curve, curves: &[Curve]) -> (Mark, RGBColor) {
@@ -25,8 +31,7 @@ fn look(curve: &Curve, curves: &[Curve]) -> (Mark, RGBColor) {
         }
     }
     let place = knobs.iter().position(|knob| *knob == curve.knob).unwrap_or(0);
-    let solver = METHODS.iter().position(|method| method.name == curve.method.name).unwrap_or(0);
-    (MARKS[solver % MARKS.len()], PALETTE[place % PALETTE.len()])
+    (mark_of(curve.method), PALETTE[place % PALETTE.len()])
 }
 
 /// Curves by case, in order.

@@ -4,7 +4,7 @@ use brooklet_reference::column::Column;
 use glam::DVec3;
 
 use crate::backend::GpuRun;
-use crate::case::{Case, FreeFall, method_of, own_path, with_speed};
+use crate::case::{Case, FreeFall, bottom_compression, method_of, own_path, with_speed};
 use crate::{Figure, Setup, SetupResult};
 
 /// A box of `size_m` at the origin with a block in it, and `more` lines.
@@ -159,19 +159,6 @@ pub(super) fn bounded_ejection(_: &Setup, run: &GpuRun) -> Vec<Figure> {
         Figure::judged("fastest over the wall", fastest_m_s / WALL_M_S, "", 2.0, "of what stands and is met by a wall"),
         Figure::at_least("pushed", fastest_m_s / WALL_M_S, "", 0.5, "the wall meets water"),
     ]
-}
-
-/// Compression at the bottom of a column, by the law of iterations or by the equation of state, p = rho g H.
-fn bottom_compression(setup: &Setup, column: &Column) -> f64 {
-    let sph = &setup.scene.solver.sph;
-    let height_m = f64::from(column.layers) * column.spacing_m;
-    match own_path(setup.scene.solver.method.name(), "stiffness_m2_s2") {
-        Some(_) => {
-            let over = sph.exponent * column.gravity_m_s2 * height_m / setup.scene.stiffness_m2_s2();
-            (1.0 + over).powf(1.0 / sph.exponent) - 1.0
-        }
-        None => column.bottom_compression(),
-    }
 }
 
 /// The law of ten times the step, 16 layers: past its range it says more than there is, so it bounds.
