@@ -134,6 +134,7 @@ macro_rules! for_each_known_answer {
                 a_dispatch_longer_than_a_row_of_groups_reaches_all: ["count_cells"],
                 positions_far_outside_have_no_cell: ["count_cells"],
                 reorder_matches_its_twin: ["reorder"],
+                keep_order_matches_its_twin: ["keep_order"],
                 rank_members_matches_its_twin: ["rank_by_id", "scatter_cell_members"],
                 sort_is_a_permutation_in_order_of_cells: ["count_cells", "scan_groups", "reorder"],
             }
@@ -309,6 +310,7 @@ macro_rules! for_each_known_answer {
             sph_step {
                 advect_matches_its_twin: ["advect"],
                 choose_time_step_matches_its_twin: ["choose_time_step"],
+                lists_are_kept_until_particles_have_moved_too_far: ["choose_time_step"],
                 find_fastest_matches_its_twin: ["find_fastest"],
                 end_step_visits_all_again: ["end_step"],
             }

@@ -5,13 +5,15 @@
 #include "../shared/layout.hlsli"
 #include "../shared/tag.hlsli"
 
-// Parks the particle if a number of it is not finite; says whether it did.
+// Parks the particle if a number of it is not finite, where it is if that is known: lists that are kept for a while still have
+// it. Says whether it did.
 bool QuarantineUnlessFinite(inout Position position, inout Velocity velocity)
 {
     if (IsFinite(position.position_m) && IsFinite(velocity.velocity_m_s))
         return false;
     position.tag |= QUARANTINED;
-    position.position_m = 0.0;
+    if (!IsFinite(position.position_m))
+        position.position_m = 0.0;
     velocity = (Velocity)0;
     return true;
 }

@@ -120,6 +120,22 @@ struct GridParams
     uint reserved;
 };
 
+// Groups of the dispatches of a sort and of its lists, a VkDispatchIndirectCommand each, where the GPU says which substeps
+// sort: none of a substep that keeps order and lists.
+struct SearchGroups
+{
+    uint3 slots;            // that count particles, move them and list their neighbours
+    uint reserved0;
+    uint3 kept_slots;       // of those that stay in their order (keep_order.compute)
+    uint reserved1;
+    uint3 cells;            // that sum up and scan what cells hold
+    uint reserved2;
+    uint3 sums;             // likewise, of those groups' sums
+    uint reserved3;
+    uint3 sums_of_sums;
+    uint reserved4;
+};
+
 // The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and
 // what it counts beyond walls (boundary/walls.hlsli).
 struct SmoothingKernelParams

@@ -93,7 +93,7 @@ fn a_solvers_variants_can_be_done_without_and_its_kernels_not() {
     let picture = ["DrawResolve.vertex", "DrawSky.fragment", "DrawSky.vertex"];
     let grid = ["Advect", "CountCells", "ListNeighbours", "Reorder", "ReduceGroups", "ScanGroups"];
     let chain = |own: &[&'static str]| picture.into_iter().chain(grid).chain(own.iter().copied()).collect();
-    let sph: BTreeSet<_> = chain(&["ChooseTimeStep", "EndStep", "FindFastest"]);
+    let sph: BTreeSet<_> = chain(&["ChooseTimeStep", "EndStep", "FindFastest", "KeepOrder"]);
     let variants = [
         "spacing_m=0.04",
         "solver.method=sph",
@@ -105,7 +105,7 @@ fn a_solvers_variants_can_be_done_without_and_its_kernels_not() {
     ];
     assert_eq!(essential(&gpu, &scene("dam-break", &variants)), sph);
     let plain = ["spacing_m=0.04", "solver.method=sph", "surface.method=none"];
-    let own = ["Accelerate", "ChooseTimeStep", "ComputeDensity", "EndStep", "FindFastest"];
+    let own = ["Accelerate", "ChooseTimeStep", "ComputeDensity", "EndStep", "FindFastest", "KeepOrder"];
     assert_eq!(essential(&gpu, &scene("dam-break", &plain)), chain(&own));
     // With as many iterations as are written nothing measures what is left.
     let own = ["ApplyGravity", "ApplyPressure", "BeginSubstep", "CarryPressure", "FactorPressure", "LimitVelocity"];

@@ -93,5 +93,5 @@ static CONSTRAIN_DENSITY_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/constrain_density_by_index.compute",
-    hash: "7f4de98b3612d9ea0c0c22bee5c54e5edf3e7d6ea81d64df0f667f5c61297879",
+    hash: "97fb94f11d29bccd77932bf678def92b6b2d20cbda6f1e3dc36eb477875c02c0",
 };

@@ -57,5 +57,5 @@ static COPY_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/copy.compute",
-    hash: "20a3ea2c213544edff9f801e3de29d877110562653a94f2cdbd2c8b9cf123737",
+    hash: "73e167ce037e9b8c498c2e85eb1244425480c918fac52e5b95948bacff18416d",
 };

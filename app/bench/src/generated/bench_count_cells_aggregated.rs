@@ -74,5 +74,5 @@ static COUNT_CELLS_AGGREGATED: Module = Module {
     shared_bytes: 512,
     tier: Tier::Floor,
     source: "bench/count_cells_aggregated.compute",
-    hash: "7eafe148415a7d1ddbe45cc012659af5a65859ae42b7769eba6ceb3ca979e68c",
+    hash: "b0ecb41e909d420a4ebd9c39a9d882382061a9bb5098461e62f8dc3c9d2d7412",
 };

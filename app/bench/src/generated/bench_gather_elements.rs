@@ -55,5 +55,5 @@ static GATHER_ELEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/gather_elements.compute",
-    hash: "5de8192ddc6e61aa1cf52768686a859815408ccb767c029c710869ce3e143049",
+    hash: "d513d2cd4ea0c3638f35b0c32b7647f3fe3854b4cf85ab41e3b58d2bf3161b5b",
 };

@@ -94,5 +94,5 @@ static LIST_NEIGHBOURS_BY_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/list_neighbours_by_index.compute",
-    hash: "fe2dd77c710ad0fa04cbf3e5c98abda5b88aa852d68bb65c7f38d1ddc2739bc1",
+    hash: "d87d71d91786aca3d0aaf56e64b0774161b3dd756581476ddde4ae3ca6721b35",
 };

@@ -45,5 +45,5 @@ static MULTIPLY_ADD: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/multiply_add.compute",
-    hash: "6389f73348962860030d63c189b7c03f71eb6eff5fd7a8ce836af268e6962c77",
+    hash: "8b4e5dd6f81e226ac694e191984889319b1b504e0f7885a65aefe161f1b068b2",
 };

@@ -82,5 +82,5 @@ static REORDER_INDEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/reorder_index.compute",
-    hash: "17c2b94bd24548d96b04681978bacbb7093cbfb281e9c40b710b4d1c0abb9b7e",
+    hash: "c9b92a01d41b03cff219b465d838e9725cdecf4e23b771aac366b69bfcbcc2c9",
 };

@@ -74,7 +74,7 @@ static SCAN_GROUPS_DOUBLING: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "64bcb35d1cc4d8874867fd9591d412229d00b03421b6d857cc159a3c9b50ec8d",
+    hash: "c5617303b70312051a5b81ed073797f58992118529d4b759f2c330ccc254c5a2",
 };
 
 static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
@@ -87,5 +87,5 @@ static SCAN_GROUPS_DOUBLING_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 1024,
     tier: Tier::Floor,
     source: "bench/scan_groups_doubling.compute",
-    hash: "f52e36f44c46242a4c9ff25081a53568662da85f644e0ca58b6aebc9dda1f4ae",
+    hash: "520da0f23b60a0229bcd73578a7560433e403358b8729db968023278a9d8e57c",
 };

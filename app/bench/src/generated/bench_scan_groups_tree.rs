@@ -87,7 +87,7 @@ static SCAN_GROUPS_TREE: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "967de69b8988bbed40b4c2752198a3a65f90747334e72610cc6bd79c375fec80",
+    hash: "40903317cd7323a7b6fc24b64bf879ceb84566dab9f7fd44120b5ca1a42744b0",
 };
 
 static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
@@ -100,7 +100,7 @@ static SCAN_GROUPS_TREE_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "495af67dd4d11bd49b80e0fc42bc42d1771c643a8d7d140c272da2e2bbbe2f90",
+    hash: "68c4b914d6c2845f96d796749f247440f36982bdbfd280f24a2dca13d588aacd",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
@@ -113,7 +113,7 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "94f4d75fc1fbba2aeda461d270752db11e362d0713fa24b148add5e0d8b62e9f",
+    hash: "47de42854f834d0964674678a11ea39fc96fb2c94345194977ef3e704b636d77",
 };
 
 static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
@@ -126,5 +126,5 @@ static SCAN_GROUPS_TREE_WITH_GROUP_OFFSETS_WITH_PADDED: Module = Module {
     shared_bytes: 528,
     tier: Tier::Floor,
     source: "bench/scan_groups_tree.compute",
-    hash: "e39f3f2f505ff5bfe8df07cfaf40a2bf8114cb08a90ebad7a76bded38d7ea232",
+    hash: "bcda33d53f9e22fe50cff79f7f37c1af7645bac541e4dd5a0277d8987caf4777",
 };

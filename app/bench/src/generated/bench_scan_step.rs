@@ -54,5 +54,5 @@ static SCAN_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "bench/scan_step.compute",
-    hash: "c96d09008f8d5984aea5b1a1bf472dc66c5ca6bbc2ee753f543e5288d0d303e2",
+    hash: "fb517dfaa386e014ba18177020cf10c5b40223533778b3e5dffa091343b1510a",
 };

@@ -10,8 +10,8 @@ use crate::numbers::rng;
 use crate::wrong::{OrRaise as _, Wrong, ensure, ensure_eq, skip};
 use brooklet_fluid::particles::id_of;
 use brooklet_kernels::{
-    CellSlot, CountCells, CountCellsVariant, GROUPS_PER_ROW, GridParams, Kernel, OnlyKeyword, Position,
-    PrecisionKeyword, RankById, Reorder, ReorderVariant, ScatterCellMembers, Velocity,
+    CellSlot, CountCells, CountCellsVariant, GROUPS_PER_ROW, GridParams, KeepOrder, KeepOrderVariant, Kernel,
+    OnlyKeyword, Position, PrecisionKeyword, RankById, Reorder, ReorderVariant, ScatterCellMembers, Velocity,
 };
 use brooklet_reference::grid::rank_by_id::rank_by_id;
 use brooklet_reference::grid::reorder::{reorder, sorted_indices};
@@ -183,6 +183,46 @@ pub(crate) fn reorder_matches_its_twin(device: &Device) {
         cases += size;
     }
     report_exact(device, Reorder::STAGE, cases);
+}
+
+/// Whoever stays in order is where it is, as exactly as a sort would have it.
+pub(crate) fn keep_order_matches_its_twin(device: &Device) {
+    let mut rng = rng(25);
+    let mut cases = 0;
+    for size in sizes(device, KeepOrder::GROUP_SIZE[0] as usize) {
+        let case = fluid(&mut rng, size);
+        for precision in STORAGES {
+            let mut bench = Bench::new(device);
+            let at = bench.input("positions", &case.positions);
+            let moving = bench.input("velocities", &case.velocities);
+            let mut sorted_positions = bench.output("sorted_positions", size);
+            let mut sorted_velocities = bench.output("sorted_velocities", size);
+            let mut quantized_positions = bench.output("quantized_positions", size);
+            let params = bench.uniform("grid", grid_params(case.size_m, SUPPORT_M / 2.0));
+            let step_state = bench.uniform("step_state", step_state(size, 0.0));
+            bench.dispatch(
+                &KeepOrder {
+                    variant: KeepOrderVariant { precision },
+                    positions: at.read(),
+                    velocities: moving.read(),
+                    sorted_positions: sorted_positions.write(),
+                    sorted_velocities: sorted_velocities.write(),
+                    quantized_positions: quantized_positions.write(),
+                    step_state: step_state.uniform(),
+                    grid: params.uniform(),
+                },
+                size,
+            );
+            let mut done = bench.run();
+            let all: Vec<usize> = (0..size).collect();
+            ensure_eq!(done.read(&sorted_positions, size), reorder(&case.positions, &all));
+            ensure_eq!(done.read(&sorted_velocities, size), reorder(&case.velocities, &all));
+            let quantized = reorder(&case.quantized_positions(quantization_of(precision)), &all);
+            ensure_eq!(done.read(&quantized_positions, size), quantized);
+        }
+        cases += size;
+    }
+    report_exact(device, KeepOrder::STAGE, cases);
 }
 
 pub(super) fn run_rank(

@@ -11,8 +11,9 @@ use crate::wrong::{OrRaise as _, ensure, ensure_eq};
 use brooklet_fluid::particles::id_of;
 use brooklet_fluid::visit_slots;
 use brooklet_kernels::{
-    Advect, AdvectVariant, ChooseTimeStep, ChooseTimeStepVariant, Counters, EndStep, FindFastest, Kernel as _,
-    KickParams, Position, QUARANTINED, SphLimits, SphTimeStep, StepParams, StepState, Velocity,
+    Advect, AdvectVariant, ChooseTimeStep, ChooseTimeStepVariant, Counters, EndStep, FindFastest, GROUPS_PER_ROW,
+    Kernel as _, KickParams, Position, QUARANTINED, SearchGroups, SphLimits, SphTimeStep, StepParams, StepState,
+    Velocity,
 };
 use brooklet_reference::particles::advect::{Kicks, advect};
 use brooklet_reference::particles::predict::Particle;
@@ -133,10 +134,11 @@ fn run_choose(
         for _ in 0..count {
             bench.dispatch(
                 &ChooseTimeStep {
-                    variant: ChooseTimeStepVariant { adaptive },
+                    variant: ChooseTimeStepVariant { adaptive, keeps_lists: false },
                     step_state: state.write(),
                     time_step: time_step.write(),
                     counters: counters.write(),
+                    search_groups: None,
                     step_params: (!adaptive).then(|| params.uniform()),
                     limits: limits.uniform(),
                 },
@@ -156,6 +158,8 @@ const LIMITS: SphLimits = SphLimits {
     steady_s: 1.0,
     step_s: 1.0 / 240.0,
     substeps: 12,
+    list_reach_m: 0.002,
+    scan_groups: [70_000, 18, 1],
     reserved0: 0,
     reserved1: 0,
 };
@@ -211,6 +215,73 @@ pub(crate) fn choose_time_step_matches_its_twin(device: &Device) {
             worst.check(time_step.limit_s, limit_s, limit_s).or_raise();
             ensure_eq!(counters.long_substeps, u32::from(is_long(dt_s.into(), limit_s)));
         }
+    }
+    worst.report(device);
+}
+
+/// One substep that may keep lists, of `slots` slots.
+fn run_keep(
+    device: &Device,
+    before: SphTimeStep,
+    limits: SphLimits,
+    slots: u32,
+) -> (StepState, SphTimeStep, SearchGroups) {
+    let mut bench = Bench::new(device);
+    let mut state = bench.input("step_state", &[visit_slots(slots)]);
+    let mut time_step = bench.input("time_step", &[before]);
+    let mut counters = bench.input("counters", &[Counters::default()]);
+    let mut groups = bench.output("search_groups", 1);
+    let limits = bench.uniform("limits", limits);
+    bench.dispatch(
+        &ChooseTimeStep {
+            variant: ChooseTimeStepVariant { adaptive: true, keeps_lists: true },
+            step_state: state.write(),
+            time_step: time_step.write(),
+            counters: counters.write(),
+            search_groups: Some(groups.write()),
+            step_params: None,
+            limits: limits.uniform(),
+        },
+        1,
+    );
+    let mut run = bench.run();
+    (run.read(&state, 1)[0], run.read(&time_step, 1)[0], run.read(&groups, 1)[0])
+}
+
+/// Of a step's first substep, one that keeps its lists, one that would drift too far, and one that is left over.
+pub(crate) fn lists_are_kept_until_particles_have_moved_too_far(device: &Device) {
+    let mut worst = device.worst(ChooseTimeStep::STAGE, 16.0 * ROUNDING);
+    let maxima = [2.0_f32, 100.0];
+    let [max_speed_bits, max_acceleration_bits] = maxima.map(f32::to_bits);
+    let within = SphTimeStep {
+        max_speed_bits,
+        max_acceleration_bits,
+        left_s: 2.0e-3,
+        substeps_left: 9,
+        ..SphTimeStep::default()
+    };
+    // More slots and cells than a row of groups has.
+    let slots = 64 * 40_000;
+    let folded = |groups: u32| [groups.min(GROUPS_PER_ROW), groups.div_ceil(GROUPS_PER_ROW), 1];
+    for (before, visits, lists) in [
+        (SphTimeStep { substeps_left: 0, drift_m: 1.0e-4, ..within }, true, true),
+        (SphTimeStep { drift_m: 1.0e-4, ..within }, true, false),
+        (SphTimeStep { drift_m: 1.9e-3, ..within }, true, true),
+        (SphTimeStep { drift_m: 1.0e-4, left_s: 0.0, ..within }, false, false),
+    ] {
+        let (state, after, groups) = run_keep(device, before, LIMITS, slots);
+        let twin = Limits::of(&LIMITS);
+        let is_first = before.substeps_left == 0;
+        let maxima = maxima.map(f64::from);
+        let expected_m = twin.drift_m(before.drift_m.into(), state.dt_s.into(), maxima, is_first);
+        worst.check(after.drift_m, expected_m, LIMITS.list_reach_m.into()).or_raise();
+        ensure_eq!(expected_m == 0.0, lists, "{before:?}");
+        ensure_eq!(state.slot_count, if visits { slots } else { 0 });
+        let visited = visit_slots(state.slot_count).slot_groups;
+        let due = if lists { [visited, [0; 3]] } else { [[0; 3], visited] };
+        ensure_eq!([groups.slots, groups.kept_slots], due, "{before:?}");
+        let scans = LIMITS.scan_groups.map(|groups| folded(if lists { groups } else { 0 }));
+        ensure_eq!([groups.cells, groups.sums, groups.sums_of_sums], scans, "{before:?}");
     }
     worst.report(device);
 }

@@ -6,9 +6,10 @@
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
     Buffer, LIST_CHUNK, LIST_ESCAPE, LIST_ESCAPE_DELTA, LIST_SLICE, ListHead, ListNeighbours, ListNeighboursVariant,
+    SearchGroups,
 };
 
-use super::{Grid, Sorted};
+use super::{Grid, Sorted, dispatch_if_due};
 use crate::scene::Scene;
 use crate::slots::Slots;
 use crate::step_context::StepContext;
@@ -69,8 +70,22 @@ impl Neighbours {
 
     /// Lists the neighbours of the sorted particles.
     pub fn record(&mut self, recording: &mut Recording, context: &mut StepContext, grid: &Grid, sorted: &Sorted) {
-        context.slots.dispatch(
+        self.record_if_due(recording, context, grid, sorted, None);
+    }
+
+    /// The same, in substeps that the GPU says.
+    pub(super) fn record_if_due(
+        &mut self,
+        recording: &mut Recording,
+        context: &mut StepContext,
+        grid: &Grid,
+        sorted: &Sorted,
+        due: Option<&Buffer<SearchGroups>>,
+    ) {
+        dispatch_if_due(
             recording,
+            &context.slots,
+            due,
             &ListNeighbours {
                 variant: ListNeighboursVariant {
                     wrapped: grid.wrapped,

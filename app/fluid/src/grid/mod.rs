@@ -13,12 +13,16 @@ mod scan;
 
 pub use list::{Neighbours, list_chunks, list_length, listed};
 pub use neighbour_search::NeighbourSearch;
+pub(crate) use scan::scan_groups;
 pub use scan::{SCAN_GROUP, Scan};
+
+use std::mem::offset_of;
 
 use brooklet_gpu::{Recording, Resources};
 use brooklet_kernels::{
-    Buffer, CellSlot, CountActive, CountCells, CountCellsVariant, GridParams, OnlyKeyword, Position, PrecisionKeyword,
-    RankById, Reorder, ReorderVariant, ScatterCellMembers, Velocity,
+    Buffer, CellSlot, CountActive, CountCells, CountCellsVariant, GridParams, KeepOrder, KeepOrderVariant, Kernel,
+    OnlyKeyword, Position, PrecisionKeyword, RankById, Reorder, ReorderVariant, ScatterCellMembers, SearchGroups,
+    Velocity,
 };
 
 use crate::particles::buffers::Particles;
@@ -137,8 +141,32 @@ impl Grid {
         particles: &Particles,
         sorted: &mut Sorted,
     ) {
-        self.record_slots(recording, slots, &particles.positions);
-        self.record_reorder(recording, slots, particles, sorted, OnlyKeyword::Off);
+        self.record_slots(recording, slots, &particles.positions, None);
+        self.record_reorder(recording, slots, particles, sorted, OnlyKeyword::Off, None);
+    }
+
+    /// The same in substeps that the GPU says; in others particles keep the order that they have.
+    pub(super) fn record_sort_if_due(
+        &mut self,
+        recording: &mut Recording,
+        slots: &mut Slots,
+        particles: &Particles,
+        sorted: &mut Sorted,
+        due: &Buffer<SearchGroups>,
+    ) {
+        self.record_slots(recording, slots, &particles.positions, Some(due));
+        self.record_reorder(recording, slots, particles, sorted, OnlyKeyword::Off, Some(due));
+        let kernel = KeepOrder {
+            variant: KeepOrderVariant { precision: sorted.precision },
+            positions: particles.positions.read(),
+            velocities: particles.velocities.read(),
+            sorted_positions: sorted.positions.write(),
+            sorted_velocities: sorted.velocities.write(),
+            quantized_positions: sorted.quantized_positions.write(),
+            step_state: slots.state.uniform(),
+            grid: self.params.uniform(),
+        };
+        recording.dispatch_indirect(&kernel, due, offset_of!(SearchGroups, kept_slots) as u32, slots.capacity);
     }
 
     /// The same where velocities are not read until all of them are written anew: with a pass more and a buffer less, if
@@ -153,17 +181,25 @@ impl Grid {
         if !self.saves_memory || !slots.are_all_visited() {
             return self.record_sort(recording, slots, particles, sorted);
         }
-        self.record_slots(recording, slots, &particles.positions);
-        self.record_reorder(recording, slots, particles, sorted, OnlyKeyword::VelocitiesOnly);
+        self.record_slots(recording, slots, &particles.positions, None);
+        self.record_reorder(recording, slots, particles, sorted, OnlyKeyword::VelocitiesOnly, None);
         recording.forget(&particles.velocities);
-        self.record_reorder(recording, slots, particles, sorted, OnlyKeyword::PositionsOnly);
+        self.record_reorder(recording, slots, particles, sorted, OnlyKeyword::PositionsOnly, None);
     }
 
     /// Finds where each particle goes.
-    fn record_slots(&mut self, recording: &mut Recording, slots: &mut Slots, positions: &Buffer<Position>) {
+    fn record_slots(
+        &mut self,
+        recording: &mut Recording,
+        slots: &mut Slots,
+        positions: &Buffer<Position>,
+        due: Option<&Buffer<SearchGroups>>,
+    ) {
         recording.clear(&mut self.cell_counts);
-        slots.dispatch(
+        dispatch_if_due(
             recording,
+            slots,
+            due,
             &CountCells {
                 variant: CountCellsVariant { wrapped: self.wrapped, periodic: self.periodic },
                 positions: positions.read(),
@@ -173,7 +209,7 @@ impl Grid {
                 grid: self.params.uniform(),
             },
         );
-        self.scan.record(recording, &self.cell_counts, &mut self.cell_starts);
+        self.scan.record_if_due(recording, &self.cell_counts, &mut self.cell_starts, due);
         if slots.counts_vary {
             let kernel = CountActive {
                 cell_starts: self.cell_starts.read(),
@@ -183,8 +219,10 @@ impl Grid {
             recording.dispatch_groups(&kernel, [1; 3]);
         }
         if let Some(members) = &mut self.members {
-            slots.dispatch(
+            dispatch_if_due(
                 recording,
+                slots,
+                due,
                 &ScatterCellMembers {
                     cell_slots: self.cell_slots.read(),
                     cell_starts: self.cell_starts.read(),
@@ -192,8 +230,10 @@ impl Grid {
                     step_state: slots.state.uniform(),
                 },
             );
-            slots.dispatch(
+            dispatch_if_due(
                 recording,
+                slots,
+                due,
                 &RankById {
                     positions: positions.read(),
                     cell_starts: self.cell_starts.read(),
@@ -214,11 +254,14 @@ impl Grid {
         particles: &Particles,
         sorted: &mut Sorted,
         only: OnlyKeyword,
+        due: Option<&Buffer<SearchGroups>>,
     ) {
         let (moves_positions, moves_velocities) =
             (only != OnlyKeyword::VelocitiesOnly, only != OnlyKeyword::PositionsOnly);
-        slots.dispatch(
+        dispatch_if_due(
             recording,
+            slots,
+            due,
             &Reorder {
                 variant: ReorderVariant { precision: sorted.precision, only },
                 positions: moves_positions.then(|| particles.positions.read()),
@@ -232,6 +275,19 @@ impl Grid {
                 grid: moves_positions.then(|| self.params.uniform()),
             },
         );
+    }
+}
+
+/// Runs `kernel` with a thread for each slot, where the GPU says so in substeps that it says.
+fn dispatch_if_due<K: Kernel>(
+    recording: &mut Recording,
+    slots: &Slots,
+    due: Option<&Buffer<SearchGroups>>,
+    kernel: &K,
+) {
+    match due {
+        Some(due) => recording.dispatch_indirect(kernel, due, offset_of!(SearchGroups, slots) as u32, slots.capacity),
+        None => slots.dispatch(recording, kernel),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The stages that every solver of interacting particles shares: sort, then list.
 
 use brooklet_gpu::{Recording, Resources};
-use brooklet_kernels::{Buffer, SmoothingKernelParams};
+use brooklet_kernels::{Buffer, SearchGroups, SmoothingKernelParams};
 
 use super::{Grid, Neighbours, Sorted, params};
 use crate::particles::buffers::Particles;
@@ -44,6 +44,19 @@ impl NeighbourSearch {
     pub fn sort(&mut self, recording: &mut Recording, context: &mut StepContext, particles: &Particles) {
         self.neighbours.forget(recording, &context.slots);
         self.grid.record_sort(recording, &mut context.slots, particles, &mut self.sorted);
+    }
+
+    /// Sorts the particles and lists their neighbours in substeps that the GPU says; in others they keep order and lists.
+    pub(crate) fn sort_and_list_if_due(
+        &mut self,
+        recording: &mut Recording,
+        context: &mut StepContext,
+        particles: &Particles,
+        due: &Buffer<SearchGroups>,
+    ) {
+        let Self { grid, sorted, neighbours, .. } = self;
+        grid.record_sort_if_due(recording, &mut context.slots, particles, sorted, due);
+        neighbours.record_if_due(recording, context, grid, sorted, Some(due));
     }
 
     /// The same where neither positions nor velocities are read until all of them are written anew.

@@ -303,6 +303,12 @@ impl Scene {
         self.solver.method == Method::Sph && self.solver.sph.adaptive_substeps
     }
 
+    /// Whether some substeps keep the lists of one before: not where particles come and go, nor where spray looks for others in
+    /// the cells.
+    pub fn keeps_lists(&self) -> bool {
+        self.adapts_substeps() && self.slot_capacity().is_none() && self.diffuse.is_none()
+    }
+
     /// Speed no particle exceeds, m/s: what the scene says, else 0.6 h a substep; particles that meet nobody have
     /// no limit but that of numbers.
     pub fn max_speed_m_s(&self) -> f64 {

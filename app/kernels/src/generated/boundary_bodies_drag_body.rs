@@ -65,5 +65,5 @@ static DRAG_BODY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/drag_body.compute",
-    hash: "c48a7e83dcdc2b3ab93e5bac6c289369c7088e81ecfe14146d5087744538f264",
+    hash: "7f56723d31671f71ae61aa7cf1a5e3b49eb39dd0ad9653be0233ca3947a60cef",
 };

@@ -96,5 +96,5 @@ static FIND_CONTACTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/find_contacts.compute",
-    hash: "8f272a8992587ee23ae152e4a9fe7f029d1b7d76f96e188861f857d985814976",
+    hash: "19a0988edf35091853a5213bd597bf47f4ae2f22c521f07fc66377cfc7b8d59c",
 };

@@ -83,5 +83,5 @@ static GATHER_REACTIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/bodies/gather_reactions.compute",
-    hash: "3a20a15cffd0577118ee2fc39096d15d1ef4cb25f3adad885d6b820b044e1448",
+    hash: "a2b79b59649aa602c8309fbf0ec51f87c8bf85bb5e112eab61af8888ed7a7a15",
 };

@@ -96,5 +96,5 @@ static STEP_BODIES: Module = Module {
     shared_bytes: 4352,
     tier: Tier::Floor,
     source: "boundary/bodies/step_bodies.compute",
-    hash: "42e3e91372c4ad56109d227b35f14d6b72fe12ac1cf7b06153f1c1219d01eb92",
+    hash: "22d046a11bac4558fcfe1c2fc847e57cbdefb1f735234f2d4d774300ba4fd983",
 };

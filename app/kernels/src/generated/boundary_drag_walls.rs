@@ -80,5 +80,5 @@ static DRAG_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/drag_walls.compute",
-    hash: "a5908d58aeb0b4555c0760c780edee3d0c93a88151f2187eac35a690248f1946",
+    hash: "0b10d851753ab52f324eaa78f57691ff18d8a9c46064f368cc6b6181816c7c0f",
 };

@@ -72,5 +72,5 @@ static REPEL_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/repel_walls.compute",
-    hash: "746ae10991f15bba716930cb62b96e352c786a850f52eb347b47f07c8c38f7ec",
+    hash: "220d9175e10671f4ac0a36824d9361bf0af75232a53891f8f4c69c18a84b0fc2",
 };

@@ -144,7 +144,7 @@ static COLLIDE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "877a8036e8972d584462cb14c8b73513ad20aa8228f31a868813888a2e573be4",
+    hash: "684c89b4c34c3aec4856e5fca299a7fba850e6e8fec05a4050dca1f16b62010c",
 };
 
 static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
@@ -157,5 +157,5 @@ static COLLIDE_SOLIDS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/collide_solids.compute",
-    hash: "a8118266b997f3390cf3523fee76542e331bd1b4fec3ce995f36477658a84ef1",
+    hash: "34461c41488fdb615c6afc5ef17d9e0698217446400d022e7926a2cd0908572f",
 };

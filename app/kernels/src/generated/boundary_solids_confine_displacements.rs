@@ -162,7 +162,7 @@ static CONFINE_DISPLACEMENTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "82af633549c73c517c233c3b5ec8d1c151d7e348deb6893a47554ec17a136394",
+    hash: "91478972b514e6b31174efc9244d8f6b992ce62bd2ec7ff62819d7bb7da4cd2d",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
@@ -175,7 +175,7 @@ static CONFINE_DISPLACEMENTS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "b7abb084484ee2ba69c25cde16d7db0e52e5d2c9dd5745a5ca026ef3cce6f719",
+    hash: "d320651c099be1ad17a10a99c2284c1fc01cfb6865af9a93a611ab1fcd4c273f",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
@@ -188,7 +188,7 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "327b51af5048952a79cc00b97f080008a4a5d701c493b27e929b74c641d05499",
+    hash: "1dbd56a2574c558845a7228e2c1f5002738b18ce25399cef48b7609899695c63",
 };
 
 static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module {
@@ -201,5 +201,5 @@ static CONFINE_DISPLACEMENTS_WITH_BODIES_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/confine_displacements.compute",
-    hash: "037520274177cbff2e16ee853cca8a0427ddb12acdcb69e787050974de6413bf",
+    hash: "3652a91c9f1af1c009fb46af88c6b96ce4ee33d6a58e1252f5398de9492a7240",
 };

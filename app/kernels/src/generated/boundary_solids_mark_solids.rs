@@ -64,5 +64,5 @@ static MARK_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/mark_solids.compute",
-    hash: "bc9b9393f7e1edd8e8b8785ffcf0f7798ef48cfb4c5e50f7447443e256b5bfa6",
+    hash: "87b2707b6df3fff26c81dd1999f8d9ae6aa2d6e13d0de8e3fd7a6e6bc52157d0",
 };

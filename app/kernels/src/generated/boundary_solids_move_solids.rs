@@ -71,5 +71,5 @@ static MOVE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/move_solids.compute",
-    hash: "c2ea383c3cbbe389dd2330d996da99b50f7e77c48819fc3ef60fdd5cbccec7da",
+    hash: "3ea83429a0ca277f25a22e5aeb35503d298fe15309875745245c03becd4ff8b0",
 };

@@ -93,5 +93,5 @@ static SAMPLE_SOLIDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "boundary/solids/sample_solids.compute",
-    hash: "f35e190a351e71eec17f503090a0f2c782f9c75526f23bcb0c2022d159549b20",
+    hash: "07e33ffc1f6573fa76c28e9254c408d97df43ebedde29f1fa96e74e0d4703ddc",
 };

@@ -120,7 +120,7 @@ static ADVECT_DIFFUSE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "fa31a41d134945114fd30d7f7dae7155aa662d2eadf184de19384ed9307ae5b6",
+    hash: "012bbe44c667a0ba275d23cae25de02b02aa4c669f92e09f33149beee64f8ed2",
 };
 
 static ADVECT_DIFFUSE_WITH_CELL_BY_CELL: Module = Module {
@@ -133,7 +133,7 @@ static ADVECT_DIFFUSE_WITH_CELL_BY_CELL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "397e09626a62db82ee257c3fd951aa3dbb5c5c6586e187ca9408aea5aa19dc5b",
+    hash: "a25f51db017c5a040778f39332bcbce18205cca8bf565e2feb4867a7081596f4",
 };
 
 static ADVECT_DIFFUSE_WITH_WALLS: Module = Module {
@@ -146,7 +146,7 @@ static ADVECT_DIFFUSE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "c324cf26f9bd2a5ff6e2aea1e8c2bd122bc40e6395933b10b0ec49019165c871",
+    hash: "0e0a3b205253f7b11e2b1c0ec5663b19785a8a4247cda990a5dc2646cfb17473",
 };
 
 static ADVECT_DIFFUSE_WITH_WALLS_WITH_CELL_BY_CELL: Module = Module {
@@ -159,5 +159,5 @@ static ADVECT_DIFFUSE_WITH_WALLS_WITH_CELL_BY_CELL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/advect_diffuse.compute",
-    hash: "6c364bd67ca60f9ad84dfd46bb318297da65d3dfd9a74f78ec96e78b5305e234",
+    hash: "b5704c880e8d9c6640fe838b6a8b31350811a063c37529b5ee453ab300acbc23",
 };

@@ -107,5 +107,5 @@ static COLLIDE_DIFFUSE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/collide_diffuse.compute",
-    hash: "de461dbf1a292f34080a5a4214872860e854dc707f1a88daa3d262b900a0fbe6",
+    hash: "5b5791082aa0ad8946c77416b3635c1045a2d63612d76ccf924ec008c3ba72ca",
 };

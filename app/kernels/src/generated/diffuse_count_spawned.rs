@@ -103,5 +103,5 @@ static COUNT_SPAWNED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/count_spawned.compute",
-    hash: "b959660ba6a7f2288f158e44a4efcf70e799dbb6ca92f984afc7f458f2918d40",
+    hash: "3bca757bd0c82e0da398d354e7406b5cdfa47954fbf1fb380b11f4dcae614a2e",
 };

@@ -87,5 +87,5 @@ static CREST_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/crest_normals.compute",
-    hash: "ade01803eaaec2d52667d81ae37de75c26b7df5e2e1392739bf420ffc6628d83",
+    hash: "8b956253eda8cf623ff49a5d2adca7c052bf447164eea0b057d675f7329925a4",
 };

@@ -159,7 +159,7 @@ static SPAWN_DIFFUSE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/spawn_diffuse.compute",
-    hash: "f29e5029b13228463ba46db7c4cacdbce4298066f623a632fc321ac86c30e334",
+    hash: "2c48f525d780e1518b29275337a0664eeb80519e846c3ea0d82d6c0802f81f11",
 };
 
 static SETTLE_DIFFUSE: Module = Module {
@@ -172,5 +172,5 @@ static SETTLE_DIFFUSE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/spawn_diffuse.compute",
-    hash: "45904da580343e86fcaca26a0529f201d7dbd1686c179b128a7b6f881ce5c9bc",
+    hash: "2117d3d9aea7fe1628e1461c95379392b9d1c8e2bb0189d6cc421cff26cc1637",
 };

@@ -213,7 +213,7 @@ static MARK_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/compact.compute",
-    hash: "c0b376a522de80c5e2f040ab9108de5e574b8f56d77ae3fb7e54402b580ecb26",
+    hash: "b4bc7ab8f0ac2eed3ac40d1cff3fccebf72898f769f10be0371f9dd224f3900b",
 };
 
 static LIST_MOVERS: Module = Module {
@@ -226,7 +226,7 @@ static LIST_MOVERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/compact.compute",
-    hash: "9036adab042a76b46ae9795b4ddea24bc118dd47057a3523ba6a5c96f1775048",
+    hash: "d73306e49af6629f09025f0dd8b68efcc2ae137b1326eced749b2486817f916f",
 };
 
 static FILL_HOLES: Module = Module {
@@ -239,7 +239,7 @@ static FILL_HOLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/compact.compute",
-    hash: "0cb75c944cdc0372fb7c0f88f65036e9988a863a13bcf49da933b8bc8f8f0910",
+    hash: "fe974ac42684d03642fb88ba739236414af533010f0e809fcc9037bb7038951c",
 };
 
 static COUNT_COMPACTED: Module = Module {
@@ -252,5 +252,5 @@ static COUNT_COMPACTED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/compact.compute",
-    hash: "94d651542e2c4410e7e66aaecd9af9e1a0ec33dfc794b205e61d01f43d30b3b1",
+    hash: "a643419ec61203371fe47813a66d09973133b4ebb7d25086d6d1c55532785abf",
 };

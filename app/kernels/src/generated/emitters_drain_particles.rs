@@ -84,5 +84,5 @@ static DRAIN_PARTICLES: Module = Module {
     shared_bytes: 4,
     tier: Tier::Floor,
     source: "emitters/drain_particles.compute",
-    hash: "123fe434515dfb36c7ba8ca7c586b45762ea16c0782c3a0e8d7abb54e6044ec2",
+    hash: "2deca8c64aa5c86080d661fdce76f7a1e0d3add91d60fdb78464e062430f025b",
 };

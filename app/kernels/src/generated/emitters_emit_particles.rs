@@ -96,5 +96,5 @@ static EMIT_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/emit_particles.compute",
-    hash: "09e4e81b5addd148fca9c1f3214931eb755eb5eb7b3bedbff29bc26fd802cb44",
+    hash: "e5bf3312244e62e32e7e93f3110b9571e49c04f069c88579b5a3a9051c52e127",
 };

@@ -81,5 +81,5 @@ static GUIDE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/guide_particles.compute",
-    hash: "ea38ab8806114bb6038ea83ac0dad9dfd58539e07a7b0bb58819375635660f07",
+    hash: "b9302bc9b454685eb35a4ae263b80d8a734863d472af289aa098c044e2dac4df",
 };

@@ -195,7 +195,7 @@ static MARK_DRAINED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/limit_drain.compute",
-    hash: "23a89748c655e28b77009c390065efdf02aadcd524b5b1c3cd2e8c5174b05820",
+    hash: "0739feb9da0ea25cf0c27fce8c115bf268abe0c24dca404a8968222b2f6c8f7b",
 };
 
 static TAKE_DRAINED: Module = Module {
@@ -208,7 +208,7 @@ static TAKE_DRAINED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/limit_drain.compute",
-    hash: "330c860568e319818b7fa0361b792f4bb56b73615448dc4ab3744d643a2a66f0",
+    hash: "e10816921d6e0c928b8a431cdfd7b7576a813e2ab3240213f6c06cbb4d7f5626",
 };
 
 static SETTLE_DRAIN: Module = Module {
@@ -221,5 +221,5 @@ static SETTLE_DRAIN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "emitters/limit_drain.compute",
-    hash: "aa96780b0167fac988d18f6b442a9639be8136cb07ea4c01e6293aad6cc54e83",
+    hash: "63b1b297ab3cd502d85f29fd3b4e7e4e2aa64c5c6b4b39f8821ffc74d5c32761",
 };

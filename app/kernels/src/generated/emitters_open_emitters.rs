@@ -100,5 +100,5 @@ static OPEN_EMITTERS: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "emitters/open_emitters.compute",
-    hash: "74f3e6a6c147168ab1fa351f47b463cb0bf799a24baa95759c1aed21f2b2e4bd",
+    hash: "7fdb0cb6a933a85d253affa167bf8fa5435726b78d399ff6f0cf62bca06fc621",
 };

@@ -72,5 +72,5 @@ static APPLY_FIELDS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/apply_fields.compute",
-    hash: "5684666a7f29322b325e826e2cccd700cf6b104c71384374d2d38c25639384d0",
+    hash: "6acccc0bbbb09e772c014df1ccbb2c3a302cc6850cbc8afe971b7362d1ed2dea",
 };

@@ -102,7 +102,7 @@ static CONFINE_VORTICITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "b2fd9320ae476580f5ed086bb8d1133d9be625c2502d3d1d3d7427dad9f65af9",
+    hash: "66e5d95d99338a00801705cc4e0b3950f54c73a470e24618f47ab75482cbc155",
 };
 
 static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -115,7 +115,7 @@ static CONFINE_VORTICITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/confine_vorticity.compute",
-    hash: "3aa30fd079a9e06e3c1fc10ffca384493ac541e09b218676e88036eb27095b68",
+    hash: "3cd618a3644a70be1980fee381a795d354363764267355efe16603b8c084a8c0",
 };
 
 static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
@@ -128,5 +128,5 @@ static CONFINE_VORTICITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/confine_vorticity.compute",
-    hash: "1c17389d1c4a9031d61bc5cc2ee76076298fe48a8927c375131b5b803ed62f8c",
+    hash: "a84fdbfec289ad608789ebea9251a5bf632e6508f3137e48771f0c678c1bf2bb",
 };

@@ -100,7 +100,7 @@ static CURL: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "f81a3b817c8658de70f4bb4c04e840bd1dfea60c70e6ecfba134bc30c7ba649d",
+    hash: "2eb4f1ab1c3ad640d6fa50361b7f4bc05b0fe4c71d32706ffc00946157044c36",
 };
 
 static CURL_WITH_RELAXED_PRECISION: Module = Module {
@@ -113,7 +113,7 @@ static CURL_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/curl.compute",
-    hash: "d56f3f3a88d715f8dc12754b076244821c161da8ac64276f9df096aa82591e76",
+    hash: "dadc5a1a3ef7cb151333f7e0a888c70455bc71e1ddaf4361347523cca33264fa",
 };
 
 static CURL_WITH_HALF_PRECISION: Module = Module {
@@ -126,5 +126,5 @@ static CURL_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/curl.compute",
-    hash: "5309624da39cfadd45ee215d5b661ae0c8ccbac0bfa656811dbe7d1182458a5b",
+    hash: "a6fa522f6e37ffdded12f8a2aaa54459dd120a354e3b5ede6b5925b5399928c6",
 };

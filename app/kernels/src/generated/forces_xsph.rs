@@ -105,7 +105,7 @@ static XSPH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "4711d86a37961d754b8c92ef0c18cb5fe65b3cc07dcb536b0ef4ff8249d75d44",
+    hash: "bbcae845399a83fd87fdab4eb63148119de098dd1d651f3c26c1d87db9a53621",
 };
 
 static XSPH_WITH_RELAXED_PRECISION: Module = Module {
@@ -118,7 +118,7 @@ static XSPH_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "forces/xsph.compute",
-    hash: "1c786bdbf4a4c5632b5c8c8d2605e3a6478473b9cf67443da9c223c0c6179b0f",
+    hash: "735cbb0df92eceea983e7919d3c74bcb08e569d265a3749bfcfbe0399749a212",
 };
 
 static XSPH_WITH_HALF_PRECISION: Module = Module {
@@ -131,5 +131,5 @@ static XSPH_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "forces/xsph.compute",
-    hash: "1a7310f5e3f9848c87e83c5d3699fa73ef96f3b4b20a297edc277ae32abec50c",
+    hash: "e9975928ad24572e60fbf97349df3cb557ae3a68bcdf8f3b219dacdb088dd569",
 };

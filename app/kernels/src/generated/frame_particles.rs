@@ -65,7 +65,7 @@ static DRAW_PARTICLES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "f9685810ffa0be712b39c1fa109f5f0e571aa9ed2d9557adab1bb9dad593700a",
+    hash: "d5310c8db062f33a7b532bc93f4f2e030ddc5543ce21b244e3d4261a4361be97",
 };
 
 static DRAW_PARTICLES_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_PARTICLES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/particles.hlsl",
-    hash: "ce6ecf16ced3a3ffae73660f1d62cc40ad2a3750991520cdcca463f2f9150d8d",
+    hash: "b686df355b5406695a3d9571716af529b2949f8c6c3cca48fe25249aad1739df",
 };

@@ -183,7 +183,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "119e00acca346569b282fc1c125c247989ac85fb2919bb567e2c6a4ddfe861a5",
+    hash: "dab1b57e1bd90b621548a0836c839386f9bfbdda0bfe3a66d3d53b6a2f66e55b",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "83e4c211c540060bfcfd3b37d2b8872ca914f731570315c8f600b82aef0384a9",
+    hash: "fc5fd1a1904dac5d7e6c7583b2a4fc7cf3588bf9ef5b561748de5c7c0755ca66",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "cf34213ffebcced35edf88ccc3400c01d4febc26ff0276c504e25eed47c48b37",
+    hash: "8bc2b4e7171f137fb5bc7b6cfb3dc3525904c2c1dcd73c65872e7be712c301f4",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -222,7 +222,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "0264e6eca95d24ed3d074f51c356a35707184e2a3e4b58a60c99141613f09666",
+    hash: "5f2b363e4ef798de5132695d7033848d4d996e3190981c25048de0dacb3b7d24",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -235,7 +235,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "c0fc3cb4af3eb6177bcd1cd70b0e39d9a31e9e2f31e1f217a019ca0ca61c5cf5",
+    hash: "aaf9bfc67923d35dbcf82df7ae660de169f9db918092af6bb641bad039050dbb",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module {
@@ -248,7 +248,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "e8fece5a58a602eff47dac4439ed60e480eb015992c5053fd0d2f277689c88b4",
+    hash: "bff0e478dc960060c00ab2502af95825f20f36d4ba7375139ffe4bf53e70e649",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -261,7 +261,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "d7ed18ef33e075e6fe9af4dc1db1b5f9d366b183799f469507550629a13d9804",
+    hash: "a4371dfa21327afb1b38162dad3343fcff130c55c6686da0e7150b07618b3665",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Module {
@@ -274,5 +274,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "4b2a2dab99735c8f516c9a4a8fe537d8a74d650aa0c151705989ca470e4d09f5",
+    hash: "fd531bde87549814823ef44301482ddedbdeabe701dc300d763bb6fff83b7490",
 };

@@ -58,7 +58,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "c5c4281163af79ed94d17e4b9dc57cedb75c966a213770250986cb83648e3611",
+    hash: "590e2fa0a1319afd1d4d46ce028ec32f3a62b6637e4f2d278ca082568a067d6c",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "80c901111283fd2e3ae7ee9c31f9da51c1f2b0b1d328eaf1753f10c1a19b3aab",
+    hash: "515bc28edf41e61edc576cac0a2671493f1baa04f2e55b181f049166b4de5508",
 };

@@ -63,5 +63,5 @@ static COUNT_ACTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_active.compute",
-    hash: "0503b31933183bdd7ed33dad77b41439b4482983cd8f4fa9a260f08e67d26273",
+    hash: "5039538a8b28c3c9b336b7168a470b9fee6f0dca17a4a80392164a589abd26ae",
 };

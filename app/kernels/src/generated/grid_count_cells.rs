@@ -93,7 +93,7 @@ static COUNT_CELLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "205f1d8c0a644d5cd3818116bcaa1be0ba88b655735d988e822e2203466f58e4",
+    hash: "c5fa25b86ad7bc7b1193644e3a884360e69897ec73497abd489e5f874694b78f",
 };
 
 static COUNT_CELLS_WITH_PERIODIC: Module = Module {
@@ -106,7 +106,7 @@ static COUNT_CELLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "956fc4f36348bbf59cacd0e96c419087cea5e02e61aa20729cfa4ac2e49a8c4e",
+    hash: "4977d86a292ee002fe21da820849368343f421da17dbb4eaede2bc95dd35b65c",
 };
 
 static COUNT_CELLS_WITH_WRAPPED: Module = Module {
@@ -119,7 +119,7 @@ static COUNT_CELLS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "9035b9c01fb5547ec7f2e23d55fe80d4b9aa258d60dd55f920c0d7a7e1b0a1b5",
+    hash: "3bf37d2555dd6fd4f0e782e22b01f201e9cf4c29cfea9cbe36ff150a66730cdf",
 };
 
 static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -132,5 +132,5 @@ static COUNT_CELLS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/count_cells.compute",
-    hash: "d8026c3c2435a30e5afc39e06d609011d6d8a634417f1ea2b5d632bd2aefcac9",
+    hash: "c7744e95b014c302fe2a6877c4d1677ec5a81b576f47af82f892e6d7e43ce428",
 };

@@ -138,7 +138,7 @@ static LIST_NEIGHBOURS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "bd7b88783a0c5053d5c0ad39cc708ffc5d7fab576e39df6bb29aa063c262904a",
+    hash: "c086046c0aa654220f183199d975500020b7192670816c56cb7f8d5b3c89becc",
 };
 
 static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
@@ -151,7 +151,7 @@ static LIST_NEIGHBOURS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "f917fa5eb90c039b47b68ccafdb535f6385cff1e2954bbdb29b84c9f64e5376c",
+    hash: "502c01f6d90d6fada8a49ccaf8c7b531be43b73c5dc19eb2e6e6a2dca401774e",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
@@ -164,7 +164,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "0c16d96b7c4503ead93631a6143be3ad1e59c57e49f7889cac99a60c141a112b",
+    hash: "5bcdd08f5cc6afac9ba1a5e57075fdff548c24cc6d4702187358b1c837437605",
 };
 
 static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -177,7 +177,7 @@ static LIST_NEIGHBOURS_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "dacacf89d62710e27380b85c3e5862b12e5a78feddb527435907fa999a69aebb",
+    hash: "9ca68aa9da95c6706a027c83af0bd5fc1cb8761a018ba4b735e1fd207cb1050b",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
@@ -190,7 +190,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "ff7902ca28bc9aca087c256d26a1597f565d5bad9f08cbfe091dab0c0d86e4fc",
+    hash: "398c8218dcabff6c33e6ac2f594a2f6c89c4a172da202ba71d064bd972d9fb64",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
@@ -203,7 +203,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "48344b02f2106abfe3efb05aeb16c5c3df4fca876267ab634ec6f42d0aebedcc",
+    hash: "b0384ad5a2c354c1916bf1f61b7ceec8b8cbd294e258df47a73416a612c2a605",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
@@ -216,7 +216,7 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "9770a58dffb36e85c9cee5d464a60fe24d57bfe08bd6f1fe3b8f2bf6a51a85e9",
+    hash: "a88fb5403bd7a8d22caf9c69a317b71cc59e2204fd44657b445ffe35c72cc2f6",
 };
 
 static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module = Module {
@@ -229,5 +229,5 @@ static LIST_NEIGHBOURS_WITH_WRAPPED_WITH_PERIODIC_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/list_neighbours.compute",
-    hash: "eac8a8636ce0ec5be27a312cfe05ce4fd981d42aac94fa2d8a6108a7f016756d",
+    hash: "5805d86d970ecc1ba14979d1be63056270270fecf2afc19876e8f80fc73724ee",
 };

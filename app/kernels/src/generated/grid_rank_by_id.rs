@@ -80,5 +80,5 @@ static RANK_BY_ID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/rank_by_id.compute",
-    hash: "8e72e384c2aab11aefa2d710faf130ad9601074b35a66b2353203290353316be",
+    hash: "fea5f62edb6d6840530ed44a4008254a8a6d56dbaef006070eaf7a066cd85abc",
 };

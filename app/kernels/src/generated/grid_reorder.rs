@@ -159,7 +159,7 @@ static REORDER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "ab01c578e424e67c219df4ce97000aeba491cca9112bb6c50f54e8d63decdfcc",
+    hash: "78d0aede0ae0e95f1c8432a8f07085823599e4e31156e8986c4ee23142199886",
 };
 
 static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
@@ -172,7 +172,7 @@ static REORDER_WITH_VELOCITIES_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "5fe73fd1ba96486feeff82c1d57f93d3cc6cbbd4104f3c83de299d64cdbd810a",
+    hash: "a5bd416e55f583aba39f602c6e6615a07c7d9bd3c2eb93f6bbed9339207b7d7a",
 };
 
 static REORDER_WITH_POSITIONS_ONLY: Module = Module {
@@ -185,7 +185,7 @@ static REORDER_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "05bfa740950333cd80d99ead401cb2ed9e36757878c29a29961bd4c0017e3d99",
+    hash: "9cb227f3ce5ceb41adb2ef8741fa48ea8e6638150fddb1c7056994315f0c7ac8",
 };
 
 static REORDER_WITH_RELAXED_PRECISION: Module = Module {
@@ -198,7 +198,7 @@ static REORDER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "2d9cc2bef91c9f20c4bedfeefb05513055ebcd1bd6740d4f9a20ebd5609987a9",
+    hash: "3811ec4121c8de0d2fc7b1e274dd7fb8db200c06741fe581999f92c0399f6fec",
 };
 
 static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
@@ -211,5 +211,5 @@ static REORDER_WITH_RELAXED_PRECISION_WITH_POSITIONS_ONLY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/reorder.compute",
-    hash: "600526e1281edd94e173ba2de5e5935e8cdc752b82f0d8d61a70afd6772e748e",
+    hash: "861d23eed984551f8da8daff74bf3a644944464486ec659bc78aef238fd1949c",
 };

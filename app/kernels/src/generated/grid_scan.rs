@@ -111,7 +111,7 @@ static REDUCE_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "e191bbd770b72be2d64e3f6f5f282b962dcda21a30f86afcd008c7af2193967a",
+    hash: "7d5d16236705806c5cdc308d64d5b5782d6cf98b34e0451ee12c4278ffd3fb93",
 };
 
 static SCAN_GROUPS: Module = Module {
@@ -124,7 +124,7 @@ static SCAN_GROUPS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "d58f1d33d17f2c94c8674b701636b773e39ef3d67758e9ad4f6deab99a007b0d",
+    hash: "d7438879a9eb4e8ffd9a92ecc397fe6de96d6e3994ab4a646bdf78c856198336",
 };
 
 static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
@@ -137,5 +137,5 @@ static SCAN_GROUPS_WITH_GROUP_OFFSETS: Module = Module {
     shared_bytes: 576,
     tier: Tier::Floor,
     source: "grid/scan.compute",
-    hash: "70af47f1987ee4b51275f765ad27dfadb5a0272cdfba7b34dc8b9433a9b83449",
+    hash: "22323c62186d634fd9de34120f9d6dc6600240e1e8b2139d33fac9616315ad65",
 };

@@ -68,5 +68,5 @@ static SCATTER_CELL_MEMBERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "grid/scatter_cell_members.compute",
-    hash: "8bfa92c55edd54b5b17ccf5687cdafdd22c47fc46f5dad02f5ea087a72ad78a2",
+    hash: "93539b2fed55c7ccb7d059e608b2f14b693d51612dd3ea33f0658a3af9e9671b",
 };

@@ -126,7 +126,7 @@ static DENSITY_RATIOS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "4b61f09ee44238dc1bb753f6763c83f99387fa16d87dae3352ca4d4b95c87c5f",
+    hash: "0073a8b6703b2fa8fffd4b2552815a28091bea8d66b0dec0272eb09aeaf09cdb",
 };
 
 static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
@@ -139,7 +139,7 @@ static DENSITY_RATIOS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "611e2a54d6056a06f2a7b087ccbe3cafd2010f9969566e3a5050c1e87f614981",
+    hash: "aaacbf57a68e03d3fab0ea42bca73af23c84faa57127271e5e4aa45de877812c",
 };
 
 static DENSITY_RATIOS_WITH_WALLS: Module = Module {
@@ -152,7 +152,7 @@ static DENSITY_RATIOS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "937ba8be06adaef14ae49e18d908715f1d11fb05dd9cbc7b92b683e17d47514b",
+    hash: "14cf40c03ce82b755fd5bba43c5ba38b6cfc859d14571864b118a2774d0d286b",
 };
 
 static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -165,7 +165,7 @@ static DENSITY_RATIOS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "c0bb24fd8b7619130b76c8668b80de53d0f4b6c27370a519e4853858e9aca2ad",
+    hash: "e92e4711c1916cbaf1044fee07b648d88b2014d38bfb53f06df1c416cc26334b",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
@@ -178,7 +178,7 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "75254e40afed4e59aa22f10ca3be59b73e6aae9074befe3b37288d61ff1ff8c4",
+    hash: "3c6b08eac67de93020c48fcf4cfe827e5956183344320dd51c8900b4d4e52500",
 };
 
 static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -191,5 +191,5 @@ static DENSITY_RATIOS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/density_ratios.compute",
-    hash: "c5b68275598d8666c2e7bed1a4cf7ca389adac9277c8a6878d5979121442a40e",
+    hash: "2dddb64f7f3508bf6f3e9c415e648c01664cb7f4b489d3a7133654e18cdc9a7e",
 };

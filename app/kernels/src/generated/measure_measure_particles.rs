@@ -171,7 +171,7 @@ static MEASURE_PARTICLES: Module = Module {
     shared_bytes: 4096,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "c711049bd978ccc42cd7c776a0e3ce204db2d221f0f7affafc3dde222c826fa0",
+    hash: "20017cc55e201327bb4468a320ff5c04518a347fcdbd183f723c2c17142f29e5",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
@@ -184,7 +184,7 @@ static MEASURE_PARTICLES_WITH_DENSITY: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "0bb637997a7d1aac230c9b0323fcdae91e053b1ac76be37e53b36eaa3b2baed0",
+    hash: "56cd3359ce3ee45ed2328f3a12234a2e17a175ab619240142af101c798a04981",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
@@ -197,7 +197,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "14b3dc2570a7444960119d8eecc5d3ca58c509fc388cb5daaa693e1b5e7f30a5",
+    hash: "bbb9b4d0992c13bff49e0734b72c6f3db93443ec0046f79513e742e2e73b34bc",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
@@ -210,7 +210,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "52431ee7ff478aecc8a46e584b7fbb685b18ca34a8f42069526f6a971146da48",
+    hash: "d3edda08eace06097c5dd34e2978829062a4e9a5b5c3008294941b3c4abbabdf",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -223,7 +223,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_WALLS_WITH_PERIODIC: Module = Module 
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "bcd411e7039501741ee470d75d5fcd05b74e773fd7901bfe0af7740b8a19ecb7",
+    hash: "46a88704042ae9455b91ba7ca5a72a8a1811b3374b2e50e3e0308e4e1c698e28",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -236,7 +236,7 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "88f4de3633db9dc052e0a02c894e46a7a455db8663d1e59187e2b65754416c33",
+    hash: "b3e6c815e494fd28b35bb9577b92a515d5f3bd83f76afe4fbee68f287da16996",
 };
 
 static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -249,5 +249,5 @@ static MEASURE_PARTICLES_WITH_DENSITY_WITH_SOLID_WALLS_WITH_PERIODIC: Module = M
     shared_bytes: 8192,
     tier: Tier::Floor,
     source: "measure/measure_particles.compute",
-    hash: "75b29774a21792ab1dcce7a592287160a4a1a4a285533209e957e1c5c9bda7d1",
+    hash: "bb29235441aadfd7e1b5ea7c11d99eebf974fa8d2589e72e0ff9310b660d4dda",
 };

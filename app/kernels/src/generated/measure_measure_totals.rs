@@ -76,5 +76,5 @@ static MEASURE_TOTALS: Module = Module {
     shared_bytes: 4616,
     tier: Tier::Floor,
     source: "measure/measure_totals.compute",
-    hash: "80811be080e9bbd1331e0a44accacdee5452ffa1c6db49ab3b7f9bd9bcd3aa46",
+    hash: "91d2bcd69cb79de316c957a0aac36fd1aa0b3a7e1bd92cfc30dc7a7b554a1e3d",
 };

@@ -70,5 +70,5 @@ static SAMPLE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "measure/sample_particles.compute",
-    hash: "586b159b2f7073c8d269653d8d90b618adb0e94d6a36440657cd7986c38491c0",
+    hash: "d04cb32878cea5bd9ad1fc9bbdb3e979a4a1f3c7ee8e74324e1652fbb333c6e1",
 };

@@ -49,6 +49,7 @@ mod frame_solids;
 mod frame_solids_shadow;
 mod grid_count_active;
 mod grid_count_cells;
+mod grid_keep_order;
 mod grid_list_neighbours;
 mod grid_rank_by_id;
 mod grid_reorder;
@@ -187,6 +188,7 @@ pub use frame_solids::*;
 pub use frame_solids_shadow::*;
 pub use grid_count_active::*;
 pub use grid_count_cells::*;
+pub use grid_keep_order::*;
 pub use grid_list_neighbours::*;
 pub use grid_rank_by_id::*;
 pub use grid_reorder::*;
@@ -322,6 +324,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         frame_solids_shadow::MODULES,
         grid_count_active::MODULES,
         grid_count_cells::MODULES,
+        grid_keep_order::MODULES,
         grid_list_neighbours::MODULES,
         grid_rank_by_id::MODULES,
         grid_reorder::MODULES,

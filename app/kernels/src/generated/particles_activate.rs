@@ -117,7 +117,7 @@ static ACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "d0ce9248ea32505d8ab1d6579717741926a2e8950cec8199315c87cb363440a2",
+    hash: "0c56b985fbc67f5399752ac56be2e42989b9ce22f9ad92d47c1b82a05a995ae9",
 };
 
 static CLAIM_SLOTS: Module = Module {
@@ -130,5 +130,5 @@ static CLAIM_SLOTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/activate.compute",
-    hash: "81879016221eadf9a196b767b202b0a59a33dd2cc42932f7307bfee9a4919367",
+    hash: "44b3932d4076c94d22f53a26dbb19c6cd495cdf14bdfa3e73a4260ca60af636c",
 };

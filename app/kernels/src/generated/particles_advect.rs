@@ -137,102 +137,102 @@ static ADVECT: Module = Module {
     name: "Advect",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5504 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5568 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "e5b034c922403799cb00b1794d6adee8892fc79e3680f2399a4d3e340545c063",
+    hash: "6c68aeb87c8de7213e56497a2fc2e941e8d4407b398db099cbc663f6292a96f0",
 };
 
 static ADVECT_WITH_PERIODIC: Module = Module {
     name: "Advect+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5504, bytes: 6488 },
+    spirv: Spirv::Packed { pack: PACK, first: 5568, bytes: 6552 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "ee28325d17eaaca9a2a8821f45b2471f2503ad3bf24b8ad21690db1ab56dff05",
+    hash: "1ab76ef24683f037571378106c2faafa3d24785f8f09a2741a9f8c7c925cfe7b",
 };
 
 static ADVECT_WITH_WALLS: Module = Module {
     name: "Advect+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11992, bytes: 6004 },
+    spirv: Spirv::Packed { pack: PACK, first: 12120, bytes: 6068 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "723ef2eb485325acbdc0eabd6b43b82ce7a9377c495e36be0120c618ff4cb52d",
+    hash: "634724107400c358747898b92c96891f230d50bae65d3d71e15961aeba377ea1",
 };
 
 static ADVECT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 17996, bytes: 6972 },
+    spirv: Spirv::Packed { pack: PACK, first: 18188, bytes: 7036 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "389f54f177a4688bb1f2b38f1d46fddedfb4545f56ac36292b881380918e67c8",
+    hash: "bd93cacab79b081f36c77c8efae7f692ffbdeb64f51838c20d7c26988784d893",
 };
 
 static ADVECT_WITH_ACCELERATED: Module = Module {
     name: "Advect+ACCELERATED",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 24968, bytes: 6472 },
+    spirv: Spirv::Packed { pack: PACK, first: 25224, bytes: 6536 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "b2214d685697cb895bd16d6e851106d3b4af0e2615b5c28458264e2c475cfc6a",
+    hash: "273b8a5134c6f271895d2e2a6e2eb0a94124bcf709dec385a150b59114c599fc",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 31440, bytes: 7440 },
+    spirv: Spirv::Packed { pack: PACK, first: 31760, bytes: 7504 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "0871f3d9dc5b936dac888684a44b88fbbd30fd4da27d3fd43a89a4a2b87c2e18",
+    hash: "b0c23138650d6861e5a58d01d9121396b9645ebc4bba444b3ad376f72a4b64f1",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS: Module = Module {
     name: "Advect+ACCELERATED+WALLS",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 38880, bytes: 6956 },
+    spirv: Spirv::Packed { pack: PACK, first: 39264, bytes: 7020 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "765ba29689e85f7daea38f991f5d3edb8ef5e2fdc1d069bce8b1b0397fe2eb30",
+    hash: "a09485a66079c6ca36568e57e33455c781682ff5f7671f59afddaca3385064ac",
 };
 
 static ADVECT_WITH_ACCELERATED_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Advect+ACCELERATED+WALLS+PERIODIC",
     entry: "Advect",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 45836, bytes: 7924 },
+    spirv: Spirv::Packed { pack: PACK, first: 46284, bytes: 7988 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/advect.compute",
-    hash: "869a2cde114068e0ff7dfc77d6637d49ec9f5f65944fff4c2bd3a6343d10e6cb",
+    hash: "a72b11ecaa227ae7e73b67d689ac6b8b819fd7440ac0892176169fdd9139e2f5",
 };

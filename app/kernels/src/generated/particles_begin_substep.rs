@@ -53,5 +53,5 @@ static BEGIN_SUBSTEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/begin_substep.compute",
-    hash: "617d4e73a1609ab280168202f16efbcb4efe221839c9124862edff881df822e6",
+    hash: "36b0ce6034e1bf184dbf49924556029dad31aa520954b513acc7a71c8ebe0b19",
 };

@@ -76,5 +76,5 @@ static BOUNCE_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/bounce_walls.compute",
-    hash: "e6837848f14dce392f6720e659d56cd295120422d880f0c9be2d2598af1294d1",
+    hash: "8e25ef75f085683a518f364fff15b12e79007a43de098f7544a97cb5355692d9",
 };

@@ -71,5 +71,5 @@ static DEACTIVATE_PARTICLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/deactivate.compute",
-    hash: "7d904356522cd44dc88a57358e59777921ff1d3bb51b12f62e8aa0aae1e736cd",
+    hash: "9dddd6d7e1d6270bcc5e6d3109ee2b52f9cc7b18f813bf28d000e9163aea3f3d",
 };

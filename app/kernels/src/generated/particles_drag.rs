@@ -69,5 +69,5 @@ static DRAG: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/drag.compute",
-    hash: "60709232d8d18f1be1200cae984d313619d98d727836520f77d8d047206abbea",
+    hash: "e4bdb3a995f4832209af4511b53c2cdfb7cb8b3c7df0d32d4e60168a2e3183a6",
 };

@@ -48,5 +48,5 @@ static END_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/end_step.compute",
-    hash: "14b902e03cd607e1e3a83123e003cf48a7605a392dfc5d8eb52dca6af970917d",
+    hash: "7e867a0d6c9375d47c9635fc5b4c430880524283a11898e26f6c4666b5142e85",
 };

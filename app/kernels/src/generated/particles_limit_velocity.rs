@@ -75,5 +75,5 @@ static LIMIT_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/limit_velocity.compute",
-    hash: "a107e2a3b5b5bf5cf8d602ad0a5486e36bffd1b66de1fa2ffb57964a16a33fd8",
+    hash: "fe264be14e6efdd38658dc2cf8b76f9a2822e2dda52d01944ec60cdebc293b26",
 };

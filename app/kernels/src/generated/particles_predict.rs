@@ -91,50 +91,50 @@ static PREDICT: Module = Module {
     name: "Predict",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5596 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5660 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "67b905aa9e5b25c1f0bc6119a948d228f609a28765529062d3b8b265c9085fcb",
+    hash: "af2fd57052a1b3def5c419888caa21d0504fb254e024ebd57a58761814be7fd3",
 };
 
 static PREDICT_WITH_PERIODIC: Module = Module {
     name: "Predict+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5596, bytes: 6564 },
+    spirv: Spirv::Packed { pack: PACK, first: 5660, bytes: 6628 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "7f83b0827bcfc095a3460687cf2915d9e051aab1504c4f69f8a45def833363c4",
+    hash: "ff29137996429cb00e99cab2b9ec3fab52fd0a1aff1ebded6e73f4d20f6ccec9",
 };
 
 static PREDICT_WITH_WALLS: Module = Module {
     name: "Predict+WALLS",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 12160, bytes: 6080 },
+    spirv: Spirv::Packed { pack: PACK, first: 12288, bytes: 6144 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "7b18ba9895ccfd1cc4fbf8261684a575e138ee73197ee3021045886ef6b14863",
+    hash: "cb8c41fd486bcdebc9295c746a5609b1af6303a53dc22df2a8891eb4cbbe2b8b",
 };
 
 static PREDICT_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "Predict+WALLS+PERIODIC",
     entry: "Predict",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 18240, bytes: 7048 },
+    spirv: Spirv::Packed { pack: PACK, first: 18432, bytes: 7112 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "particles/predict.compute",
-    hash: "dcf30edf3b58e0d50514bb1f4856367d5a468ded3bb1e6023eed88ec6d5af62a",
+    hash: "87a91c1f295940f8c47cec471dcc3f69a5e7e94adea174d5d072dd9ff45aed5e",
 };

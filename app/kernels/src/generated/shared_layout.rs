@@ -260,6 +260,46 @@ const _: () = {
     assert!(size_of::<GridParams>() == 64);
 };
 
+/// Groups of the dispatches of a sort and of its lists, a VkDispatchIndirectCommand each, where the GPU says which substeps
+/// sort: none of a substep that keeps order and lists.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct SearchGroups {
+    /// that count particles, move them and list their neighbours
+    pub slots: [u32; 3],
+    /// `uint`.
+    pub reserved0: u32,
+    /// of those that stay in their order (keep\_order.compute)
+    pub kept_slots: [u32; 3],
+    /// `uint`.
+    pub reserved1: u32,
+    /// that sum up and scan what cells hold
+    pub cells: [u32; 3],
+    /// `uint`.
+    pub reserved2: u32,
+    /// likewise, of those groups' sums
+    pub sums: [u32; 3],
+    /// `uint`.
+    pub reserved3: u32,
+    /// `uint3`.
+    pub sums_of_sums: [u32; 3],
+    /// `uint`.
+    pub reserved4: u32,
+}
+const _: () = {
+    assert!(offset_of!(SearchGroups, slots) == 0);
+    assert!(offset_of!(SearchGroups, reserved0) == 12);
+    assert!(offset_of!(SearchGroups, kept_slots) == 16);
+    assert!(offset_of!(SearchGroups, reserved1) == 28);
+    assert!(offset_of!(SearchGroups, cells) == 32);
+    assert!(offset_of!(SearchGroups, reserved2) == 44);
+    assert!(offset_of!(SearchGroups, sums) == 48);
+    assert!(offset_of!(SearchGroups, reserved3) == 60);
+    assert!(offset_of!(SearchGroups, sums_of_sums) == 64);
+    assert!(offset_of!(SearchGroups, reserved4) == 76);
+    assert!(size_of::<SearchGroups>() == 80);
+};
+
 /// The smoothing kernel, Wendland C2, scaled so that the initial lattice has density ratio 1, and
 /// what it counts beyond walls (boundary/walls.hlsli).
 #[repr(C)]

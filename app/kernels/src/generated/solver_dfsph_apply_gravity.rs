@@ -67,5 +67,5 @@ static APPLY_GRAVITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_gravity.compute",
-    hash: "2b1fa859a6b65980212d9504796d84d4ea5661cd6b8655abbcfd2b7c9c4089f1",
+    hash: "2d2b771b39374c8d03d0b03785ebceff6f3a56bcec407b67173eda0f7ea521dd",
 };

@@ -221,7 +221,7 @@ static APPLY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "37c027cae13bb74b8b49211851225b1b5d25a746f3f850b01be3eb05ede2eaf3",
+    hash: "e6f26e9b87ceb656163ae78f3385136fbb225e01bd6599e85e1c1d3c678cbf5c",
 };
 
 static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -234,7 +234,7 @@ static APPLY_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "3481e1e5dbfb900ff85094b5d47925f49c1c59f1bae8d93b656965f9b5f9b9ab",
+    hash: "57568187d5888829471ad1b410ea97023456b3544ee302933b21771ced90b8fc",
 };
 
 static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -247,7 +247,7 @@ static APPLY_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "bbf842f764231946c929295025b5028d090f258ee23ed7559e46f99827a5f173",
+    hash: "25f5628c9cc361f90703e7ae3ab8682af2f62f03c87af214c8292e9052e050d9",
 };
 
 static APPLY_PRESSURE_WITH_WALLS: Module = Module {
@@ -260,7 +260,7 @@ static APPLY_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "2787ab884b50ca8cf20e9353c4aa58d04890c478497a5799b7900fa55c74abe3",
+    hash: "a6fd0c36fb78c113f8feecc513245169fd333efa37f51aa51076442fbf63ee13",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -273,7 +273,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "d8f872e25895e090f6bfa8451eb3c95e7eb6961c23188ffcc3ddacde84e7b56c",
+    hash: "558a0c5727684bea1cea69a29072ae2dec27b1d6bb6788344d41523cdb1da388",
 };
 
 static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -286,7 +286,7 @@ static APPLY_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "5dce40e6ee249512c9d645f5acacd186ac5b68b4b74c538b3edd2af4ba3aed5d",
+    hash: "6fba81f4c6a2080f5ed786df78be6f8a551d641cabc2978cfc212aded129ded5",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -299,7 +299,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "434fbbb18d8112ba3be94fa7c52165cfabf12796f4828b5ce9e87e324142fbc8",
+    hash: "9bf42ed0ca93f05aefbbd0cfb65c05ee9a674708b6604f961fae41eec9e77cc5",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -312,7 +312,7 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "0a7ab79e270d02716c3e79bb97b8ca611c24bd0e576f754b48a2fcc67a7b3026",
+    hash: "79613b99531c863010a6484175e275718b286873313f9485748315abd02f3ae4",
 };
 
 static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -325,5 +325,5 @@ static APPLY_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/apply_pressure.compute",
-    hash: "793683b74b29171345dff3f43a2689a2c321bf7478a4869acbcfe8c12b5d8ab4",
+    hash: "e4c01055a8cb7e05595be525729b7610717a307290f1540f2efb06c2d5a2f9bb",
 };

@@ -82,5 +82,5 @@ static CARRY_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/carry_pressure.compute",
-    hash: "2974cb55a81a4e7c551970f944bccd3eac417f422f3521382d6f5a957fb25354",
+    hash: "51ac5107142a5b019e9875bab8e55339e8a336bc3b707d156c53e080c3491fc9",
 };

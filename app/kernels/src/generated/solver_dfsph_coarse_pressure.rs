@@ -145,7 +145,7 @@ static RESTRICT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/coarse_pressure.compute",
-    hash: "ea99a9f5db74abe853240e77565d3479361ae024f72d4ca32ff49142a64ba00f",
+    hash: "7c56dcd865ad28e4270397eac2479f8e188f3fed407c6729039437979c44861c",
 };
 
 static PROLONG_PRESSURE: Module = Module {
@@ -158,5 +158,5 @@ static PROLONG_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/coarse_pressure.compute",
-    hash: "28535cc1622e31386fd68bda887996e6888910c4c40c690896797a979a1c2007",
+    hash: "6971ed7d1c87f8487c9b854afc2f978f388c640808d1176645b9dc5b540de73d",
 };

@@ -214,7 +214,7 @@ static CORRECT_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c49a9beffc0bcdd6b5d090587f3e22af90e79eef1cab4bf4470fae61d3fff609",
+    hash: "87de070ee9575ee8a2fdeb0b3e395148ede95061be0be628148899b839668304",
 };
 
 static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -227,7 +227,7 @@ static CORRECT_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "36c48a7ba6c25270bbe243a6e05483fe7d97e6c4e115558416a3259819d8aa5c",
+    hash: "bfe59a7ced1f93218c7a6a5442134784ed214ead795759041377f3003d4cc9b9",
 };
 
 static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -240,7 +240,7 @@ static CORRECT_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "0b3a2cfc275814cbd77180a1159c3fdae81a9e359cff8b6ecd36c6309bedf947",
+    hash: "f9d7ebff09d31d409d6695d9b13c58003e738ccdf20c1f031c2146c820fe6aa4",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
@@ -253,7 +253,7 @@ static CORRECT_PRESSURE_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "14e1655bc2a80c0628f865ba59cd0fdd205cbd09acc525073a11a639f4f739af",
+    hash: "d1d67d347154e2f5a6436385f9d6bf872ee20a9b86ebff9cd400655ccb5160f9",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -266,7 +266,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "38a22caeb1dd1f40e3cb8912e097f17494e3a3366e2b190c0eb62fa06ba6c2d0",
+    hash: "c60280369b161e414a14f62ea00d650b6ae03b765800d1cec4e1ec06ed8ed2db",
 };
 
 static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -279,7 +279,7 @@ static CORRECT_PRESSURE_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "625899a48730310ddba4289b14f4d44c43c9fc44788cc20168300106b07d334a",
+    hash: "526de017fabaf6f1f5cc00f6aad468a41aed1d707166a729ef5974cce0ee0acc",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
@@ -292,7 +292,7 @@ static CORRECT_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "af4f16d9be6acdb5c76e6d51817589c89d5ec6847713466ed7fa88d6ab347431",
+    hash: "24fd012aef9f2779ca493ac09fe231e9664a0d86997ab59cec205ff8a2dcd93e",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -305,7 +305,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "fd67c21311961c67130a638dbd6989f7f4a9d6951621425fc99a4226bc01d196",
+    hash: "9a86ac2649e028e1f4c7774fdb9c5aa468da2265a252a8dd832d0149aabb1330",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -318,7 +318,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "ac7a07bf4f219e036b19abc5911b721cdc5af7ccd03ecc6bb231aa5fcc90e2f8",
+    hash: "96af0fb841b8ebda273de43e8ae6cdb921be0ee5cb9b6ac42f6996a9acb77c94",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
@@ -331,7 +331,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "422c946cd60fe0fd68eba77cf216941573ecc6137113ebd9578c662ee48ac81f",
+    hash: "d52496d1ce2a2ab794b0b5074710cfdd59b8969a3f709ad5135767c96a17264b",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -344,7 +344,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "1cff6bb4c6749fc4f15b3985044e37b3c751be829ac89fc270392d364ae28782",
+    hash: "b208410d8c42b14d2b930a0bc73220500cf3ad7044cf908c65b8c93f5834d540",
 };
 
 static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -357,7 +357,7 @@ static CORRECT_PRESSURE_WITH_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = M
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "869b4d427ba5fcc0279203e1eb185f1e4c0c017f34b5b30ce6dbc22676d305be",
+    hash: "5182850bebd799b8c2cf605fcadcc489bbdba842b4ea7804798c85b2c30bf8de",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -370,7 +370,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "986633d344e6d3038b58f180faf77968862f15d6b12e357dd8610f59a51d5f01",
+    hash: "5d910504fcac0a2ad45f66fac819fe02c1e6c690b4c7516f780d13ed5ddf414c",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -383,7 +383,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "10d4600b67dd79657db2b8e46a8ed6528e09bfa64d61fa6d2f5f2a8ccc599f3e",
+    hash: "9a15c6411db8c8151d79a7fbc37c96fca9a315d8cb8931a97f70f91782bd5a60",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -396,7 +396,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "506ddae2c1048e3e7e3af5f91d4a64fe1864e0fabb6ec821930386582add025f",
+    hash: "a55f143f16e8b55cc11485b2bce705e02c53ca00b91b74bd97c4122c90d347cc",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
@@ -409,7 +409,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "b6c697f44ed80fba512975ab08f8404f4b0da83b510e85c2fc70598c1b27774c",
+    hash: "72d8b589db9ba77b1cc0d9c65ad56074b3c2a983d446ddc1b6a20c6a0fbea04e",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: Module = Module {
@@ -422,7 +422,7 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_RELAXED_PRECISION: M
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "5038338f5c0431ef1009f7fe1969a162dc207a186dfe9a453cc949123bffdf5c",
+    hash: "8abf3399b1194cd272e96b63130b28d9119bdcef8dc74fb43dd4477384545cbd",
 };
 
 static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Module = Module {
@@ -435,5 +435,5 @@ static CORRECT_PRESSURE_WITH_SOLID_WALLS_WITH_MEASURED_WITH_HALF_PRECISION: Modu
     shared_bytes: 256,
     tier: Tier::Desktop,
     source: "solver/dfsph/correct_pressure.compute",
-    hash: "c030a67e47fb6c18ca6405f6e267ac69f76a489aac0d75b317439afb2fa54a45",
+    hash: "fe8e2a5bbfb282b6da06249e9247053012a6f189f441dc47dae5f219eef37223",
 };

@@ -184,7 +184,7 @@ static FACTOR_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "143dd8d9395c9bce69ed6d7d8a0dfb5489ad8c0b8e3271e44854aa586aeea0b6",
+    hash: "98a817a2ae7d9b0a87e01f05f68f8e4ff8a03c44e96843c63a150c13e6a4d27c",
 };
 
 static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -197,7 +197,7 @@ static FACTOR_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "8c36632f3e1621b929b6ec605f12b412c3c03cc09bebc3752e6bd44b19c4f1c4",
+    hash: "396eba87c75a6cf3020ce3050c2145eadf923ac6bdb42797be46d89d9b98d44e",
 };
 
 static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
@@ -210,7 +210,7 @@ static FACTOR_PRESSURE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "d069602dbb838cda550ede70f1de967c9e4b1470d663827ca2196e5ac144f0ca",
+    hash: "becb993cd64858ec2e710bf3bb8318caef0bf5e2a5c0873d06b5418f74e69b93",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
@@ -223,7 +223,7 @@ static FACTOR_PRESSURE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "1b44c6c53ce403444d955cfe5c63ea0d30b2f9c4b2cc8264cdbc3af29f8c1724",
+    hash: "a460989a686b88152bb1b7203d1d10a537958c1bc08875dd00041bd2a6ac6332",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -236,7 +236,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "90bc38c3faba345ff20aafa81d315050356b267ce127992395e5c75c933e2152",
+    hash: "2abdfb01e1cbd622dad97a1953ed4ebe2b27b07a366aa0a98e3d8a9db82ec5f6",
 };
 
 static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -249,7 +249,7 @@ static FACTOR_PRESSURE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "21b52726f2eb5640fa1caa57f38996732e0f907b8eacad32d67a28d7f075312a",
+    hash: "e271abe51ca1101609653bd5586697c89fe9a44ae592cc3022f8752deb575290",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
@@ -262,7 +262,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "569297f62081e34bc28159c67d480163fd035d4330cfc413846812db2947181c",
+    hash: "830121fba3c3e61a5e344f179676efeacfd7bb69936b05cd5dc44b419fbf11cf",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -275,7 +275,7 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "371b60eb1a42cf369d9b4080cd95d0788a29d303eae9bde520ceac6a32584329",
+    hash: "a14ad1ebdcf61baf0bd94eda14131fcb377ff2e7e2d78f078fd23c50cbd9d049",
 };
 
 static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -288,5 +288,5 @@ static FACTOR_PRESSURE_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/dfsph/factor_pressure.compute",
-    hash: "fdc084013874e55a21b456c2b38a6992076ac9a074bafa3586604d4de426eb82",
+    hash: "58dca27a72d74fa52ba3d942b25391d7898c04e9c232d3f075a2d20957d4cb22",
 };

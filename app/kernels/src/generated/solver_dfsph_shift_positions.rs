@@ -143,7 +143,7 @@ static SHIFT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "a9e47b89bd96ede6cebcc395b1d031cd7c809a772e1cfbb8b785e017804472e0",
+    hash: "a62a8d8f31ba21c037f0bb5321279d0c97300e2cfde78e8f53bd366119c5b1ae",
 };
 
 static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
@@ -156,7 +156,7 @@ static SHIFT_POSITIONS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "26f6c7c98f9ed68b307dca654a7cd954403b3cd48e898a19e947d2d3bd576d12",
+    hash: "cbfa7e82df80a55f797780b9810ca75fc92b77804b94c3bd18a3f295c52af39c",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
@@ -169,7 +169,7 @@ static SHIFT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "18ac92a847b05af292ee88e832ff1aa4837c772258d93c15084e9f9eb74bcbca",
+    hash: "58d2057d0b3c4a9154b7e81ebdcb08e354962b2aab2996e21021b57b11507efd",
 };
 
 static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
@@ -182,7 +182,7 @@ static SHIFT_POSITIONS_WITH_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "dc2ee3a9b565d7b6e7d3e60721371eba756f1b3ef41e721f3382d011c80225bb",
+    hash: "4bfd3507a311ba857e2267a73e5a2961abd40db7646816f0ec33c9b03797b669",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -195,7 +195,7 @@ static SHIFT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "e6b1ae6a278cc1ebdb552f1c7bedd6a1b97bea16d63239db37f9ca2d20f0ddee",
+    hash: "6d0f91e79260cf56f2c30a8d4e6da353150214decc6dd9593d636344c0e0ae2c",
 };
 
 static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
@@ -208,5 +208,5 @@ static SHIFT_POSITIONS_WITH_SOLID_WALLS_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/shift_positions.compute",
-    hash: "e765159490fc2af4677a11e3c81530600c96f0656fbd7a3eb2302b247aecee47",
+    hash: "1e5c881bf7cbf2a0e4d1a863493fad5267b8ba1465ca00ff0377c3fd357d9409",
 };

@@ -110,7 +110,7 @@ static BEGIN_SOLVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "147271d200baf2d4b63914b9b7aacbd6b4bffe868965b6f435d8a4e17ae42849",
+    hash: "2a699aec3eda80c79659072e8e42bb4ea77f25cae24b04b40da852322bce139d",
 };
 
 static END_ITERATION: Module = Module {
@@ -123,5 +123,5 @@ static END_ITERATION: Module = Module {
     shared_bytes: 256,
     tier: Tier::Floor,
     source: "solver/dfsph/solve_state.compute",
-    hash: "dd2e9b10eae3ab52f1b6a2ff4c44ba79528e2f8abdd935b18cf0230841ae71b6",
+    hash: "0b60f7cfb638f94a4c882f7197364afba2dd50938178e38710b960b3c0fb89cf",
 };

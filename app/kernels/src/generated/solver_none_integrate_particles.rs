@@ -99,50 +99,50 @@ static INTEGRATE_PARTICLES: Module = Module {
     name: "IntegrateParticles",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6808 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 6872 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "6b085ce00fd59f3629eb3ef7422ce6810c003731f6dcc8bfedec5f470773dd74",
+    hash: "2c0791c4c2a77b6049741ec1cddc8263cdf34b55f7b27125e83a61e8bee5d22a",
 };
 
 static INTEGRATE_PARTICLES_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 6808, bytes: 7760 },
+    spirv: Spirv::Packed { pack: PACK, first: 6872, bytes: 7824 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "0d38deb43984f19c25878924a4b7946106399a5e5055aba14d41fd03880ada69",
+    hash: "3aee30ac68305e34c22386dbe7f0145c7e1ffc4d0fbe1bc0a9255bfb3febf7e0",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS: Module = Module {
     name: "IntegrateParticles+WALLS",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14568, bytes: 7352 },
+    spirv: Spirv::Packed { pack: PACK, first: 14696, bytes: 7416 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "05368edee27f3cf398531fe72a72c697a872ad0a0f22eb19ed9a23ab9cd7efcb",
+    hash: "40a8290f2fd64a0b9e4921e3ce214947a4312d544f6ca484c94d949955950fd0",
 };
 
 static INTEGRATE_PARTICLES_WITH_WALLS_WITH_PERIODIC: Module = Module {
     name: "IntegrateParticles+WALLS+PERIODIC",
     entry: "IntegrateParticles",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 21920, bytes: 8304 },
+    spirv: Spirv::Packed { pack: PACK, first: 22112, bytes: 8368 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/none/integrate_particles.compute",
-    hash: "38d9b0a980b9747b60ccc17004e6c2b89d5a68570111b9c0378c90667af5eb08",
+    hash: "4a88400a2a2f7a87e85745b04484ad4d07449a555ba19caa572715e3a8679da5",
 };

@@ -63,5 +63,5 @@ static COARSEN_CONSTRAINT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/coarsen_constraint.compute",
-    hash: "bc3efe7ea6f90ff709ed53514804550f93375fe1351e18a2099466ec1668f380",
+    hash: "9038f51559349c53491cc3bf864ab8421e6822239146f4a1b26e9321a80640c6",
 };

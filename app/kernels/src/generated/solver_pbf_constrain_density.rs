@@ -773,7 +773,7 @@ static CONSTRAIN_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "07e2032c5cb92f1ab8c89d7f78557fa73413c45dd2db6f84a0a8a0964bdc0fa2",
+    hash: "f5ab6cb54db9407bfb6f2c913dbaa9148219137494fdae7536e7b7da87b91b19",
 };
 
 static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -786,7 +786,7 @@ static CONSTRAIN_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "bb765cf54645034ae2d2abe107b68f93c19cc44e7e6a49a0c42cfc2fc22cfbeb",
+    hash: "642eac1e20b81aab0cd427cd0b595f718ca405bd44becc7ba5c3c063dfbaf724",
 };
 
 static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -799,7 +799,7 @@ static CONSTRAIN_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ec3e1e46c9fa46cd775fbcc355b8acb386bd66240f83894467025c10ff57635a",
+    hash: "6c57d48f699e3912d72e32406cf35479cf78671b2c64fbdd06a50d13b8317940",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
@@ -812,7 +812,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "251b8a3c43ccd82a99a10fea9d4e6f00a62b860dd8e76a7dbdeb7c8c16eb8fad",
+    hash: "37d80429a4dd9a08f9ff1a12b807adb87a0e3ad106ca841048573fd85dc9366a",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -825,7 +825,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "552ef5994eab460f487dd259006c4e012f2e93f00b4137eee92521270f8d5435",
+    hash: "cded2045d7f6ade9445c856440a49b68dd2589c0fce40622677b02402e6f0317",
 };
 
 static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -838,7 +838,7 @@ static CONSTRAIN_DENSITY_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ada10b34a84794705502f8f7699d7f29b7b879350413a418dae9ad9fcbea6e95",
+    hash: "cda6dfc3aa7d75e2044a5e903467a1c67a2dd189e4ea7c5b37b9f854a7f046ae",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -851,7 +851,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "847d075bf9911c85faede5ecbfe5b4886600d97e3cb1b9208c15e24b15ff4904",
+    hash: "a617fd30f47782bfb53251ce58e237f449c38d46b6110934e08688dca23d4b06",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -864,7 +864,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "313bf1be42cd9be528a8ebf07b0ddfe98b6283722bef957ddc891cdea4093572",
+    hash: "b899acf7dab714030749bbab44dc1691ed51ee9b7651cc573cf942c210696b7f",
 };
 
 static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -877,7 +877,7 @@ static CONSTRAIN_DENSITY_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "efc2d8ae7c04d3c16c0988dfff12fa00d9905485d46d14023d614a88d8a27d77",
+    hash: "e6030254147c0d5bd85f86e314ade370c4194690c5837843cef72d636cae30b1",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -890,7 +890,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e3722900ee00db89fed6017e6660ebdc176520df42c711fcf3578bdeff3572ea",
+    hash: "6f7da4dfeca1e2257c1ac9b865a0c924bbd4122deb28d5322f61808f6d3b8679",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -903,7 +903,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6a71b7d682658d4c7a725c71c867f270f2ffd049165aeacd56347af2eb3866f5",
+    hash: "dd4925c4aa9ef2b3aaefcb6b4d34c1c75398da60ac31328e18507de111b51a7a",
 };
 
 static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -916,7 +916,7 @@ static CONSTRAIN_DENSITY_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7baacb9df99f432cfb004609842c9423d5c508d3803158a9e65bfb8a1a2618a3",
+    hash: "21b775b9d3f09e5925e4159fed359a67714c531de365eb1d3e90c1f7def32f63",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
@@ -929,7 +929,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "686b0f178bb9f545f8767939b7bbf78e77565eaceea5573c4f67674948d29097",
+    hash: "e034a6af8e5f7adcba385a7e058e09dbc57871f8e06676a6373c1f31217d4e45",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -942,7 +942,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "a4b0eb700a97f6551e8cf676e423223b771b76e2b7ed70f43858f0c25f0a01bb",
+    hash: "0ef0fe0e06cf15b2ae4bbca3b65cafac83044b465da3ef06c9122714265555b9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -955,7 +955,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7ea77c7448cb4314d1c32970eb930ca039a890728d1c74253d1d3768a9f8bd6f",
+    hash: "3d6a2794f226219e51f2a76d568e74740727d39472ab5aea3407a450edf770f9",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
@@ -968,7 +968,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2e1289bdd57e2f33f337cd7b88e7a22a94a34492adacfd5a3cdc0e0d269ce4c3",
+    hash: "5c51ca1bbed3a0f80bee9a927b787c2e2fbc78f4cf10b7053b734ef63a744ef8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -981,7 +981,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4cb628207690dd36d0dcce96ca472e70a488818fc7d8476a562a051d0850677b",
+    hash: "34dab69b9182feb7b71fcdc719992422d5ec7c5011b9bd72ee8af748fffffcef",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -994,7 +994,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "1e8cd13875efe8dd497776c0742239921b66b07354a8daad5233ec88124061b8",
+    hash: "babede8387317e9cebe8b77a6563496111de3f7697e706a534a949189f3ed0cc",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1007,7 +1007,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "0d21c7fb9d6660fbe2bb67fc2917ec5fcc7637402a549808ff00a723acf09266",
+    hash: "03f145273c1087482d5aa984e0812492cff172c3cf8562d01f85e53acf84c2a8",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1020,7 +1020,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "069756df62ef711a1d57803657cb4980501af8a0dcd0c51ff8f5f90ecf102014",
+    hash: "a70328be3438fd5d525bf455551952e0c74184c62194182cc87c18ce4f111c58",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1033,7 +1033,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISIO
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "f0f39867d04f0605ca8f3d068955a2ac920f21f905be3c3fa2a097719cea2ba8",
+    hash: "4c63a309c1e86553bed29775d4b33c3628cea13709d34fbc59df33e6bf0cb28b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1046,7 +1046,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "5536b7ce7923b0122cccd2d2056ce366f209c0554931ec4766ce75b0f1b349bf",
+    hash: "e09c55a35b35401800e9c5f39810a7a67551e2b7a66fc4bdeea9bb8be6bd091b",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1059,7 +1059,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "eb82f8d5848c53889546a8bebfbbff77d86bc3986595a950b251a05e55607323",
+    hash: "28cef0654e650e96769ace986dbab3b5f397bcb0b4b5bab9d866f2a1b2cb7e5f",
 };
 
 static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1072,7 +1072,7 @@ static CONSTRAIN_DENSITY_WITH_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "e0d0a81f5c2f090db8e38bfb943848161137aa2c18dca6f6f7b6e765e1fcec97",
+    hash: "299ad541e6c0a959c72f9d152e6f4d4c876fc7d5f72e7db3785ca5130b9d29e5",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
@@ -1085,7 +1085,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "fc8f55192366331b811de3d538e2b6f210cfce6efe6bed10bd8bf470c3b2e191",
+    hash: "963e3d7f0def73df74ee77e5495ececf8740bc466623395831529adaa3b0ee71",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -1098,7 +1098,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "3277812fdebea81ae862c6b9acac238ef53232f8748a7b71d688c9d569cc791a",
+    hash: "71d7b27d283925d31083bc555eea89b4ad3ca08d98f6b632f04c833fdd15d5da",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -1111,7 +1111,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "96bf99cdf5cb169a9120fb1569dfa9acef002ba831afbea238a9643777d77c5f",
+    hash: "f00e7dd0c90babf64172ee297b7bf4230355db4e5c0d74df6a43bc9f9e233283",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
@@ -1124,7 +1124,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "b08424a90696aa6e73f2609fbd5103216a29a36fcde747e2da98e116a143d477",
+    hash: "eff0ba721d7ca06ea575feea84d374f69423252772317c11c7ee7ed9b7511dc8",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1137,7 +1137,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_RELAXED_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "2bc7008e013004e015a00b00e358c15b3c6078fa5eaa1b7d5b3046e1a65451f0",
+    hash: "d39042a1246deb0d51df6e69348f5eeb4e04c2c024933a94064e8a4ccdcfa54a",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1150,7 +1150,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_MOMENTUM_WITH_HALF_PRECISION: Mod
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "ff6ae0bdc3c2259f8f1486fc29564f01de5aef6a6227f87af76f0e1b6b2bd510",
+    hash: "4d66accc8bf5401f2172534ffb37cf35663a456ef105027dcd2abd7c9a483971",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Module {
@@ -1163,7 +1163,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM: Module = Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "102e5c77b0c9ca311bac165808d2b61fd29e12fb70c57465b3131ba15e3ce663",
+    hash: "186e853640973079e39b7da765b07df468ea95705c3291bb50cd254a381d763c",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1176,7 +1176,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_RELAXED
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "6a2d2c8aaddd32f23118e1b525b1c6daeaf5a45c94ef4bbfe6f53db5c3a009fd",
+    hash: "44b923c13ee281d9461dde6727bd7ca16932f6d5089b0c59866cafb83d7a5974",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1189,7 +1189,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_ACCUMULATED_MOMENTUM_WITH_HALF_PR
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "4150aeab897c55b203ae15edc2d72696d71d8669df0e622044762c2150885624",
+    hash: "ed56e8c9df3f40fe7cdb82031ce2e40a09745c4ba1aee9781dba0fb5d2799843",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Module {
@@ -1202,7 +1202,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "84c588b3c99cc54835aedd40645fdaffec1fef49ccfbf5fbf59c839b90a2f288",
+    hash: "0054c2b72383173a6a4ec6e02342c384e08fd00e19afc1bfad09cf4ea8e82895",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_PRECISION: Module = Module {
@@ -1215,7 +1215,7 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_RELAXED_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/constrain_density.compute",
-    hash: "7becfb2ce723654f3d4e0d8ac9c96e93a39f6f08555bb579733baf1a9ad3c79b",
+    hash: "2134b3584b836cc2337792562f989955f47ec4f27f92349273c2fefbdaee001d",
 };
 
 static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRECISION: Module = Module {
@@ -1228,5 +1228,5 @@ static CONSTRAIN_DENSITY_WITH_SOLID_WALLS_WITH_RESTRICTED_MOMENTUM_WITH_HALF_PRE
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/constrain_density.compute",
-    hash: "d3217c8a6c4d1900a3074f6cb704928b44bfda1f146b69b23d15d97dedb9118d",
+    hash: "012cdf25a48a0495d04eda1c561d93cab173a83774ceac1d04cfb2d124fe7e6b",
 };

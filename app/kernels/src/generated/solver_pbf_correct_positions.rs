@@ -287,7 +287,7 @@ static CORRECT_POSITIONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "c5728aef06cebb12746d54cb072fe18b54af159423d0561747ff877843eef200",
+    hash: "f7c35de0d4cf3812c128b0e574faf67be6879d059331d855fa7fb01649c33762",
 };
 
 static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
@@ -300,7 +300,7 @@ static CORRECT_POSITIONS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "731f0dac848ea78f1ffc127b24f0ad528ac476e91d7c03ec44cbd83df8b15ea4",
+    hash: "90df3ac6621338405cd3f33e4e40eaa6155219762dc002eb4778ab2d4e9aef08",
 };
 
 static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
@@ -313,7 +313,7 @@ static CORRECT_POSITIONS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "62e3f066b97bdd990eec073bbe552bd2beb4804d32f5d3663861848822dc5f7e",
+    hash: "79748135545f378ea3a0f5a49e71a430696ad7aac5abe8968a72cc05d90948d5",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
@@ -326,7 +326,7 @@ static CORRECT_POSITIONS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "712b4a5f3b1229ee7c5648b3f0f98f25728fbf8058620f8ba8f8afb4a800495d",
+    hash: "dc4e207723aedd843b3108f42831d093837f92755842fe0ff85cbd26d56f0a26",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -339,7 +339,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bbb2487745ea4f5333539a209e17e05a7c2a4df987546d00dc4a4793357acc7f",
+    hash: "7609029bd76ee902eb1524bcc465fd8facdd9da8b115f45b4f393342984b28bd",
 };
 
 static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -352,7 +352,7 @@ static CORRECT_POSITIONS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "18d8966a9b259f1f8e1347a83b01789720c7a8679f3d80f8cdbdc1a4c82314c8",
+    hash: "2c097fd8f88a72bacd73bd04d9a8f71e54e5f543174479fd96b83ad6c6e1907c",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
@@ -365,7 +365,7 @@ static CORRECT_POSITIONS_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "bd3c36538c36da30a808f7ad94f966f545edddf9af9b507ef32142d52fb92ad2",
+    hash: "a4540f950c241c2801f3da9ca86f7fec60a1228a14ec4462e2109508103c27e4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -378,7 +378,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "abbad09f538b6178d7491fc87a83ef47c03dea597f8c7c41e30f01a451edeb7a",
+    hash: "e9457aae6f735e16eebeee9c5b09ef6df5cc1b8e3b7ec87b7e2f7aaab2220a37",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -391,7 +391,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "a4b068e54758c47a13e8df64e6b435e77e7524fb6800519f2e30fe674543059d",
+    hash: "f8fb726a3286f3a162c9d7785485f3d2b472f23d0b6fa4f9fa27827b69661362",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
@@ -404,7 +404,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d92231e34e2c924421d283f3d84b8a74e42767ca13edf67a67987d7a28711f1e",
+    hash: "481373993839f7a46566befa24ca83fa7f1ee2ed04b866fadc015b5cb865d6cd",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -417,7 +417,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module =
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "35e8fc6e2b6d9db7035b60f85aede8bef019bf47c2c20f459a97ec871a80b7e3",
+    hash: "7d89c805c990616db9fd923b063941d1852d75f65f0125853a9d71e5a80adfc4",
 };
 
 static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -430,7 +430,7 @@ static CORRECT_POSITIONS_WITH_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Mo
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "50333bf9410f1bc247be4b75cc1975a05c0f7de6f02f5759ee79c645498feaad",
+    hash: "a2e12978251390a4f1ab70484bfa1ec8a54a643a1a8b2cb769fa9ece6e2dc760",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
@@ -443,7 +443,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "6d311c729b7673105f99b00fdddcf1d802d2efe2e252ae6e534ff6119caf419c",
+    hash: "c0d1ab0cca586c855bff4927290486ebf54a19eee06e5b66732d88b24ba39f8c",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -456,7 +456,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_RELAXED_PRECISION: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "39d18816debd3faa3f310e297d7853c8debcc96878fb5a18d8d75d6663a65c20",
+    hash: "1ce148191946f99ab775d8c2c3e3e9f38b707c9a6eca50d0e57a38e827f2af79",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -469,7 +469,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "fe9c4f782e3f8ee3d1b006ec84aebeb5016f9796f5f3b43e763dee714f178b30",
+    hash: "6ee588ac938ed76e7d9924a2bd7d149ab0b43a5cbc936114b5339b9490d8e3d6",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
@@ -482,7 +482,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "d16a2b21f0ee6ac826bea26fd667b7240f5c1f0e96adf5dd52a213a6c1aacd3e",
+    hash: "4196cac19f9ae8553c432817ba03562d3764e31bdb88f18164d6457c8111f484",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Module = Module {
@@ -495,7 +495,7 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/correct_positions.compute",
-    hash: "54d9d0154d913e854526420cfcdc7f85d30926b286f7705ccc81a43336b1a8fe",
+    hash: "22331a28ef5bdd3b0329f15d6d998b5fae45221b6c5f6a7e3bd7c347ceec3fab",
 };
 
 static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Module = Module {
@@ -508,5 +508,5 @@ static CORRECT_POSITIONS_WITH_SOLID_WALLS_WITH_S_CORR_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/pbf/correct_positions.compute",
-    hash: "f4e02f14f0d4d3fb5f6ec063a8ca2e5f7c3b148dad9cbffac8ab5b891b10552c",
+    hash: "9523ee535669fb2d4f84a66764d0251784b365888e87b76ffd39ed1fb11fd9aa",
 };

@@ -136,7 +136,7 @@ static KEEP_PRESSURE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "f1d49fef52f8f8082f649f9088a718aedc6fddf6bef2b0c8ba44b10977d8e30b",
+    hash: "2421453b4ba233b552620a3f40e77a0007f2510385f2dc5d1ab536a767a1e9e1",
 };
 
 static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
@@ -149,5 +149,5 @@ static KEEP_PRESSURE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/keep_pressure.compute",
-    hash: "55f82bd51bdc9f8474fc0e6ee6a36e2be0bcb49c5f6fd6cde9a46a1ac6040a1c",
+    hash: "30eacaab4dd8fe6d3f877e6f0b770fb8dd94c7200e7b26be2bf9800805ec7e6c",
 };

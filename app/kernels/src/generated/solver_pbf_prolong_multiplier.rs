@@ -117,7 +117,7 @@ static PROLONG_MULTIPLIER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "531d6ed4a0daff71e65b18aacfcf77211c3eb52dca594bbca013f0a491be3419",
+    hash: "6fb6c9e674bfc5dc15b829e423a80de271b09c03d42729375eddf690da3a4dda",
 };
 
 static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
@@ -130,5 +130,5 @@ static PROLONG_MULTIPLIER_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/prolong_multiplier.compute",
-    hash: "b09921d4f78b1f5bb28b189cbcd40c78a764feceef13bf0fbf378065a5a277a3",
+    hash: "ace3c7e714c3647fa546ef7ae62b6bc3bc15cfc605bbc40f4942ef2879a78116",
 };

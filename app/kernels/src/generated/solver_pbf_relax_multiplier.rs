@@ -92,7 +92,7 @@ static RELAX_MULTIPLIER: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "240bc4015359ead2c8843b5a08f4c344e268fcaf111a7f8578fddb616ecbad12",
+    hash: "7dd8351c04908dca29465846fb1b83088be1dc37a2180caf3dafa0718f9cb50b",
 };
 
 static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
@@ -105,5 +105,5 @@ static RELAX_MULTIPLIER_WITH_PROLONGED: Module = Module {
     shared_bytes: 4000,
     tier: Tier::Floor,
     source: "solver/pbf/relax_multiplier.compute",
-    hash: "fbda6033dffb1125ac4d72601ac1d87af370349c2d0808bd98a850bc44910c3a",
+    hash: "4ecb268186ad38b353514a246e30319f22149867bb1cf5fe6c8cf43674e78fdc",
 };

@@ -204,7 +204,7 @@ static START_WARM: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "516105ed5da40a8323265f8cc6557730bcfe8d819032efa9634e3f646e439333",
+    hash: "106628e366533642b4ccbf2c009da213f0e2efd1a1673bc28a791163c6509c84",
 };
 
 static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
@@ -217,7 +217,7 @@ static START_WARM_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "7189b10a3b2fce82342f53d04c69c83e6a9e694f3f7e50e2d28f2fcaddb91b85",
+    hash: "756891926dc87f76a796750728907ce8adc36e501cfd64227bb363eb3e0681bf",
 };
 
 static START_WARM_WITH_WALLS: Module = Module {
@@ -230,7 +230,7 @@ static START_WARM_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "8eed1bb7a6ec1f2b0d204628d1314fd0d37ee4b4f8481780f065895e5bf722b9",
+    hash: "b9f80ec8819c4463c79981e0e9ccc7bea301d0f399c4033b3a15ab0e6f53d2c3",
 };
 
 static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -243,5 +243,5 @@ static START_WARM_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/start_warm.compute",
-    hash: "74f1a158e80b13511cffd22a700cb921401c0dadb3d8e57aa5dbe9a714ac23eb",
+    hash: "a8e7684fada505db37cc24cbf7767f7aec878f687a7abc4c1749803fb5264881",
 };

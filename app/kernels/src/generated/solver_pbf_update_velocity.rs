@@ -276,7 +276,7 @@ static UPDATE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "90201f81fbb51f008708489e8e70c12aff7ad7f14d3548c07a00ec33965814ce",
+    hash: "b9cf3d69ebcb43b64f0f6f97f08df2f778ed6c6a0e4810ef61bb76e0b9a207db",
 };
 
 static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
@@ -289,7 +289,7 @@ static UPDATE_VELOCITY_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "2297449fe15688ce33dbd346ee40df9e9caff4138b395a7c70e781813b8f44af",
+    hash: "8e84371dc81b3637e01b1ab19a6a576a0d4b3216be11e1019ecb9e7d57d7269f",
 };
 
 static UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY: Module = Module {
@@ -302,7 +302,7 @@ static UPDATE_VELOCITY_WITH_IN_PLACE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "e3a65547d9449e60006f7f4e808af091dcb8f30a37c34d647d983ed6cc3f8741",
+    hash: "6a465a3f590175cc638c65446b3cff9a04af0c7a0ad887fd59d6877062885e68",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
@@ -315,7 +315,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "6f4bf0a20727cfafbbe23eb5051e5f18d28ae3ee4c4ba6bfc11fd90faebd7809",
+    hash: "c99bc7565437ab7883eef3a2daa9f0dd14121dfb7a9bd4835271527855433d00",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -328,7 +328,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "8dba5625b37a8a4743ecfdd8bb4ac225860e3e0bc61ef06609734bae63cd5831",
+    hash: "cebba962d37ec7ef030aa932829a14945a4db92762074ef2f6d2850f451b17d3",
 };
 
 static UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
@@ -341,7 +341,7 @@ static UPDATE_VELOCITY_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "d0c942ee1508447d7e7fe80bb63735f00730a58c9d6769c43687a0675f42c769",
+    hash: "3bf77f445eb924e6d286075806d3ff4d6961a1a3cc00e872a49f0eb86a02bb38",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "8b9b8ced8a5f24492c69323dde18116e1ea8c2210a7edd9a010dca86d584d867",
+    hash: "c5a0a437c26e8a7ea0183973f9d4ee53a011652412183a2db163880e720ed9c7",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Module {
@@ -367,7 +367,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_KEEP_VELOCITY: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "22eedcebc05e15237f4f1f6e09a438167332f8db59f75bbceaddbfea7f69c56d",
+    hash: "629c027b7656c60f1c2190f97197124104df2588eebf1397748ecfee3c3ae2ed",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY: Module = Module {
@@ -380,7 +380,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_IN_PLACE_VELOCITY: Module = M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "297e7673aeef7f270c82dacf9682c1d661ebe75112df293e04158ccb00bb89f2",
+    hash: "f3b472e5688c45eeb96dc06c8051c8084cc1417ba605551a73aeab217d7ec108",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
@@ -393,7 +393,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "bfffcb336d2c6c817d8b06827c687e48b339ecf6ec175309a5679808d486c132",
+    hash: "15765c08958990e5015b08db49a6140bb818d1efd7546b9305d0d4a1596987cc",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: Module = Module {
@@ -406,7 +406,7 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_KEEP_VELOCITY: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "924a1bc900b730f43bac7fd1debc0d0b81178caa9ac2ac4607482455f7e454b4",
+    hash: "5c6615733c696599dd4028cb9c48b14a7619100493bb1609edc35074d7c93b96",
 };
 
 static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCITY: Module = Module {
@@ -419,5 +419,5 @@ static UPDATE_VELOCITY_WITH_RELAXED_PRECISION_WITH_PERIODIC_WITH_IN_PLACE_VELOCI
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/pbf/update_velocity.compute",
-    hash: "c7b89effa60ff2dcca87a4a516c6978eed3e9779609415224cab3019af9ab467",
+    hash: "cfff64bfa9172d6868b2efa4651820ecde2a242a7e218bdfe2ec7a5ccfda05de",
 };

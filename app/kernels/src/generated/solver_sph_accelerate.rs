@@ -252,7 +252,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7fee78badf6eac16e9abd7dccbfe091731826db25b16ea8ce562538b8d1a5606",
+    hash: "68ac91b3331a64a576aa6f6c701d15d8ce5f46af161057e3a8ca9de5232bd2e9",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -265,7 +265,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "63a268ff53ff57609121af04b73524aeddaea18313b813c0061aa3aab5940f67",
+    hash: "a26799a82b5fe47f7f72a644e29c48def5a8bb7147ca19fa650f26a8c2505dcd",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -278,7 +278,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "8e70c434bbab2b3ac222b81f1076c6505b60a819d7fe34f257297530154f5502",
+    hash: "4250c51d75361ceb85e33389b215a925c9d89e68b74dfe02e4722c5dfc2f137b",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -291,7 +291,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4d927123d1cbca903e5eb4aa20ef12f471c1577ea1493dd638e77a7d2456f9dc",
+    hash: "1fa06541991edd511bf46ab8539bbf0f433db4f4148687270dbc665dc6fb5564",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -304,7 +304,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "bcfe2a232029ad99140e8611d1559caa48b417df43e04895ccb1dee6fe71e455",
+    hash: "0b2f31c377f5ad50d4b4428572c43570422779244c257997e88b1360df4fb7ea",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -317,7 +317,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "6d7ceffe5e050a9e05ffdb0b73c144cb2f6aa55689373c8b372e73f0e3ae049a",
+    hash: "80bbb3cefd1973d098b4b0851373bbbced4fb69e2f5bc25ef553ab63c908509a",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -330,7 +330,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b43aaff53a9179686d507b59da3a08c633cab3b6d83289b72c4cceb1be804221",
+    hash: "e46667eb8319edb74e57c30c8d8dbacbdc269cc49cea3595c62b17b7a8bb9930",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -343,7 +343,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "97287b421d625ee9b5b453b03e112d0bb43ea684f9e468ec2d90e54239484273",
+    hash: "89459113f237cec85510975e38ecdff9b1a45b2821bbeaca967cbd70f5002ed9",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -356,7 +356,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "197f04ff6fa4a27e75d15724217f392d8cc1f33d1d4a90d86e5c344db921f93c",
+    hash: "7f95a40c6ae96ee7232ed649dbe5f93df855a81903de6c08437c6b4a8a9232fe",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -369,7 +369,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8c27de3f636e628e824896dd3e70cd63a94028bd817029a24d2fe17065976536",
+    hash: "5f5b8f51976c419c9d828c3db6a5d6282afc903da99bb8dba87f6e7901987a00",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -382,7 +382,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a7e0664f5ba7bf6e4f5f6c123c2b259246aaef642c2d4e101d305aa16d881030",
+    hash: "e5ee12c2d0b57c32414fe78f18f89e92481c3e280747ea635e89f7a090d5cd59",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -395,7 +395,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "47cd247aba9bffcf185b4c725c25aeb52461f99719a5a67a702227cb5d57c067",
+    hash: "59a31d732d9652d444ee6b577b083c6e4cff8af83b4b6d6cebfaf00e11749b6f",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -408,7 +408,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "384d897989177a55c0a8c85eb99d343775da4bdc49fb99166b6ff0d1ef0987ba",
+    hash: "f7566bc0dbbda35272379e71029514c9a895693752f5ec6a1dd5f96f5521ecdf",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -421,7 +421,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d18fdd2c7f608d961ef3ed4ea09fefa39744fcc15da0ad2bccbcd64cf123d850",
+    hash: "4b8e5aeb3ddc82c811b76c69c13cfe5cfaf33871d3ed782415f4ef03ac80b94c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -434,7 +434,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "aefebc15d5ef03879215e87820cc0ff8712833be353687f61be3d37a811315c5",
+    hash: "156491b4cc3f027011b31fa3ecbf1e15e848f715f89b8ece2fb94131ade65faf",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -447,7 +447,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b94b7948fc0d28377b0a870c01dabd3d8e2844cb11861bfcc9f55f981a3b3672",
+    hash: "882d94ddb8b7f4c92d01f098c5cf04cbbde7fed732b681a93276a9ab40d38362",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -460,7 +460,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ed555e42347d61e075374b59dbb3d8e7c8d033381878d498d8e4c7d97ac4bf62",
+    hash: "4c268d0677dd2135bb0bb5f0721aef0560b7581b723d2d3ea2d0d352a03765a7",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -473,7 +473,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "4c6821c7ec9ca8c322618a3c514856754fa94a05a402d9208ecfd665d89f497c",
+    hash: "f1cdba59e3cc803aa69ce589bb9c0b460fa5d7d7144a83411d9a425d87ddfd69",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -486,7 +486,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ce09588efb001f671e958b3dc61bc5be1bec9982a41cd88ec287220fee52fb18",
+    hash: "ea3ab50e8ec6a933c5b53ccf3cbbba330f699905ee9ae67bb536d48fa1245a6e",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -499,7 +499,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a7520690acc6c93911ee555b3ca2374c7686ac60944f18396db6e8d5a2ddb551",
+    hash: "83d3542206fa1502a3cbbe97862dc407b911e1b89f5f34534b1f24b1094c98bc",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -512,7 +512,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6303628333ce5a7048adc58c549114130f4d67ea35e5190fc4600ee01c88abb6",
+    hash: "80a8ec210a2474f65bf677752a048dcf2c78ae1fba13be73171ee12de85da555",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -525,7 +525,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4979a0687cd79d227f0cbca8226b3735bfb25ef39e32cb323e9b7ce187c20c83",
+    hash: "8d0df6339c5c3cab1b1af198afa903bccbf52bf7d5529779b51e6523b60911f8",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -538,7 +538,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c0f6e642c94e07dfeb158d6ecfeb28a3e9d8959ea8a94b0a007165533f315384",
+    hash: "bfb74120c42bba37c29b394b3771cea51f2db6dc2e81f4242472129414338053",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -551,5 +551,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "d59240f0bef08932b2d91087cce7e6e50314a810f07972352e81c8fa69d8a94a",
+    hash: "955e58b0ea1ed85e9a09f233dc086adb25e963721ef86924eb767e6a09c3ae19",
 };

@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "a835bf567e248dfa65cb4b10d1a0eec3639e1fd5d2bad566189d2fab76b24bab",
+    hash: "d25eb0b35514d7aea5408776c5799795ac12fbf8fe34eb8961cb2939c4a73b63",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "d386bae448ae43a4cc00b5469ce458878f96776aef29e8b54118d5e744407ff3",
+    hash: "4e02d91de2b16d76c52ba15a6188af8d6147c3bbb975612b2e7d32ff687cad1f",
 };

@@ -126,7 +126,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "d01894fcb92bddb75b23f069467cd75a3e1705c6e3aa096e6de8f15f4c1efa77",
+    hash: "acb125127db40a514300501aee3a7d185782c0b3d62ebd3563a358f145252594",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -139,5 +139,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "20c4ed9f5b90bf20022fa625bdc59f967de879a608d3270fe89a4a26b31aefc0",
+    hash: "af811737cdf2c7ef518e8a897de681bb0181e910c7f852dfd2414181927d787c",
 };

@@ -2,7 +2,7 @@
 // makes it anew from solver/sph/choose_time_step.compute.
 //! Kernels of `solver/sph/choose_time_step.compute`.
 
-use super::{Counters, SphLimits, SphTimeStep, StepParams, StepState};
+use super::{Counters, SearchGroups, SphLimits, SphTimeStep, StepParams, StepState};
 use crate::{
     Access, BindingError, BindingInfo, BindingKind, Bound, BufMut, Kernel, Module, Spirv, StageKind, Tier, Uniform,
     bind,
@@ -13,10 +13,14 @@ use crate::{
 pub struct ChooseTimeStepVariant {
     /// Keyword `ADAPTIVE`.
     pub adaptive: bool,
+    /// Keyword `KEEPS_LISTS`.
+    pub keeps_lists: bool,
 }
 
 /// Opens a substep: holds its dt against what the fluid allows (CFL, viscosity, force, surface tension), and counts it where
-/// it is more. With ADAPTIVE it takes as few substeps to the step's end as are allowed; those left over visit nothing.
+/// it is more. With ADAPTIVE it takes as few substeps to the step's end as are allowed; those left over visit nothing. With
+/// KEEPS\_LISTS a substep sorts and lists particles only where they may have moved too far since the last one did, and in a
+/// step's first: kernels have no slope where a pair meets their support, so pairs that are listed a little late weigh nothing.
 #[derive(Debug)]
 pub struct ChooseTimeStep<'a> {
     /// Its variant.
@@ -31,6 +35,8 @@ pub struct ChooseTimeStep<'a> {
     pub step_params: Option<Uniform<'a, StepParams>>,
     /// `ConstantBuffer<SphLimits> limits`.
     pub limits: Uniform<'a, SphLimits>,
+    /// `RWStructuredBuffer<SearchGroups> search_groups`.
+    pub search_groups: Option<BufMut<'a, SearchGroups>>,
 }
 
 impl Kernel for ChooseTimeStep<'_> {
@@ -38,7 +44,12 @@ impl Kernel for ChooseTimeStep<'_> {
     const GROUP_SIZE: [u32; 3] = [1, 1, 1];
 
     fn module(&self) -> &'static Module {
-        if self.variant.adaptive { &CHOOSE_TIME_STEP_WITH_ADAPTIVE } else { &CHOOSE_TIME_STEP }
+        match (self.variant.adaptive, self.variant.keeps_lists) {
+            (false, false) => &CHOOSE_TIME_STEP,
+            (false, true) => &CHOOSE_TIME_STEP_WITH_KEEPS_LISTS,
+            (true, false) => &CHOOSE_TIME_STEP_WITH_ADAPTIVE,
+            (true, true) => &CHOOSE_TIME_STEP_WITH_ADAPTIVE_WITH_KEEPS_LISTS,
+        }
     }
     fn bindings(&self) -> Result<Vec<Bound>, BindingError> {
         bind(
@@ -49,13 +60,19 @@ impl Kernel for ChooseTimeStep<'_> {
                 ("counters", Some(self.counters.id)),
                 ("step_params", self.step_params.as_ref().map(|bound| bound.id)),
                 ("limits", Some(self.limits.id)),
+                ("search_groups", self.search_groups.as_ref().map(|bound| bound.id)),
             ],
         )
     }
 }
 
 /// The modules of this file.
-pub(super) static MODULES: &[&Module] = &[&CHOOSE_TIME_STEP, &CHOOSE_TIME_STEP_WITH_ADAPTIVE];
+pub(super) static MODULES: &[&Module] = &[
+    &CHOOSE_TIME_STEP,
+    &CHOOSE_TIME_STEP_WITH_KEEPS_LISTS,
+    &CHOOSE_TIME_STEP_WITH_ADAPTIVE,
+    &CHOOSE_TIME_STEP_WITH_ADAPTIVE_WITH_KEEPS_LISTS,
+];
 
 static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo {
@@ -74,7 +91,7 @@ static BINDINGS_0: &[BindingInfo] = &[
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
     BindingInfo { name: "step_params", slot: 3, kind: BindingKind::Uniform { bytes: 96 } },
-    BindingInfo { name: "limits", slot: 4, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo { name: "limits", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -93,7 +110,56 @@ static BINDINGS_1: &[BindingInfo] = &[
         slot: 2,
         kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
     },
-    BindingInfo { name: "limits", slot: 3, kind: BindingKind::Uniform { bytes: 32 } },
+    BindingInfo {
+        name: "search_groups",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 80 },
+    },
+    BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
+    BindingInfo { name: "limits", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static BINDINGS_2: &[BindingInfo] = &[
+    BindingInfo {
+        name: "step_state",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "time_step",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+    },
+    BindingInfo {
+        name: "counters",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
+    },
+    BindingInfo { name: "limits", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
+];
+
+static BINDINGS_3: &[BindingInfo] = &[
+    BindingInfo {
+        name: "step_state",
+        slot: 0,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 48 },
+    },
+    BindingInfo {
+        name: "time_step",
+        slot: 1,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 32 },
+    },
+    BindingInfo {
+        name: "counters",
+        slot: 2,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 64 },
+    },
+    BindingInfo {
+        name: "search_groups",
+        slot: 3,
+        kind: BindingKind::Storage { access: Access::ReadWrite, stride_bytes: 80 },
+    },
+    BindingInfo { name: "limits", slot: 4, kind: BindingKind::Uniform { bytes: 48 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_sph_choose_time_step.deflate"));
@@ -102,24 +168,50 @@ static CHOOSE_TIME_STEP: Module = Module {
     name: "ChooseTimeStep",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5688 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5784 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "38f0ce0d2e0a4e7498cda591c40cfd330c27cdd1c1b1b90d9308425182ad719a",
+    hash: "4dbcca3f28d3797d0d8ca2a46e36d9691e3980195e6175e90d1eb2b02f3d84f9",
+};
+
+static CHOOSE_TIME_STEP_WITH_KEEPS_LISTS: Module = Module {
+    name: "ChooseTimeStep+KEEPS_LISTS",
+    entry: "ChooseTimeStep",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 5784, bytes: 7068 },
+    bindings: BINDINGS_1,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/sph/choose_time_step.compute",
+    hash: "f9abde23e6f8c89bde054bb076ef4673f202bd88345859f40e059ca09ca9a8ff",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5688, bytes: 5584 },
-    bindings: BINDINGS_1,
+    spirv: Spirv::Packed { pack: PACK, first: 12852, bytes: 5680 },
+    bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "78d6b5963ec256cfaa9d6ac204befeeee9eccc18446325c41c9792f817c0f8cf",
+    hash: "0faf641e9d48b98a8abc87925b8cb8861a2d2fcffbb4d22a0fbd89295ff067f6",
+};
+
+static CHOOSE_TIME_STEP_WITH_ADAPTIVE_WITH_KEEPS_LISTS: Module = Module {
+    name: "ChooseTimeStep+ADAPTIVE+KEEPS_LISTS",
+    entry: "ChooseTimeStep",
+    stage: StageKind::Compute,
+    spirv: Spirv::Packed { pack: PACK, first: 18532, bytes: 7268 },
+    bindings: BINDINGS_3,
+    group_size: [1, 1, 1],
+    shared_bytes: 0,
+    tier: Tier::Floor,
+    source: "solver/sph/choose_time_step.compute",
+    hash: "860d514c968bc8fb4016a9b25633ae3581b5534e39a5632d09665b7c0cabc4b2",
 };

@@ -341,7 +341,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cef1b13a0d5ec4a1cf51d7087b228f2a0551eef6a27f2f438a4b3e1598ac5a02",
+    hash: "c4819ffeb5bf7958ba81b63849cfb397faea44e00a988aed9c6e9d027a4f9251",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -354,7 +354,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f6948bc898fe0f03f0df2b5b7609fe6badc3048b5e3c9f6b673c1b88d0f3a9ca",
+    hash: "597bad6ac9f1ad43c8feacb95695115c7c5f615ef7ea5a070293f6b60569725a",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -367,7 +367,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "7829c33ee433f648c4d7f3ca40e30ed82566ebd7a86fe68e03c0939c313ae14c",
+    hash: "46a129fceaf0a3e489693285611b7433ae11bb38fa247695b9ec7caa7b11fe46",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -380,7 +380,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "dcdf5e3746a00fd1bb868bf948884c935a4d5007fb166eb7f2d03f17d74dc90c",
+    hash: "d6013f3f23c3630764b393f84341fd2d7edba8e37647683541b827b908aaa5cb",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -393,7 +393,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3d3c7eaa97204bd4f9de590d9b8b5ee91d95a3f7cc44994faed061cd05fbe0f6",
+    hash: "25fd9f36bbed7a446f74920a01905761929f13bee3ae4bf2e69d3938d7b23a0c",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -406,7 +406,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "d6f885d01e88a695220a9626ab5bc00aa0c8a9ba4fbbb7484df2e97289bc9957",
+    hash: "ec56085c5d6da8bf2b642398c400c91751a5f719963b9e9fad19dd1f635eaa01",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -419,7 +419,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ac8162c110a386f0b2df913c44647838874aec5c4448138010969d5331bfe1e4",
+    hash: "687a34bcb730704bbf891928495aa0838b71360fcbabdcb743797fbbfbec218e",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -432,7 +432,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "e8b2ee7e6cb4cc52363a43d58a17583a0f19496d9ab42a46949288f9ea64d66f",
+    hash: "4493daef8b8bfef7b34bdd8743c01af7964d6b15018da7d21ace62d24234682b",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -445,7 +445,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "9aeabe37c12749ef78e0335770d997c8b171d0d893b4d210afccd51bc4c2b691",
+    hash: "7521fde669471331f580ed739f19f284b0388ed483378dc1d48d9be3ae9b65bd",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -458,7 +458,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "68d4be1a75dbc01b5bd12e100e464dc29de1575333edfd69c47b3dae10c5c616",
+    hash: "0c8e09075ea864818f40b67b92f716208cca571109f4d9768be956745892c3b2",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -471,7 +471,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "3987ea4a398f7a102c847140d68804f66a28685d320a77b6288a3b62d9db49b0",
+    hash: "f49d835310dabfd82af40bd41669c83540b20d591edc2093ce374205398bb3c2",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -484,7 +484,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "e3abdae9d0e4ad73d132a84c4d758180d6af7a0f5fbc4269092da5c0c71c5e02",
+    hash: "dddfed907ff81af57fc4fd0e084c8955fba0618be8a7b32745a883faffeb9a87",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -497,7 +497,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "92c205c9ec36a72ada1962a389ec3586bf86ce931ab062329d74ede959134ae6",
+    hash: "24bcdcaf21c7f2ac7fdafb7540d145e694c213b80ab65c43e2e3a25186588fc5",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -510,7 +510,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6c6cd5781864861f5e1c7edf8ccb85d1b00a88e119913f728dc407a14a64cfe5",
+    hash: "464aa9c922a345b7eb64455702c5a746081ff5dda16ecc2a561319643223895c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -523,7 +523,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "3ecffd2a7e1d979e85bb3132414dd4b9d6dcf6aa355d28b0030a5d2dcc42d3c2",
+    hash: "7a45498ab04b6e4b300f6d0c1ae6c99e45b80792615a90f02973bacd865a800b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -536,7 +536,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "248195f7dac5929d3c74d5aa03c1d7649e6b70b36a2d7df5844ec3faf9f058f4",
+    hash: "6df16e2f43760cc4f094b4c5e3bbac3adb5af890e37eb941890e1585867aeb9f",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -549,7 +549,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "fed06ff4b324b331f4e1c32d1c20531d39b62c5fc37b951041c7b8e5a4275242",
+    hash: "e0da8ba38819a615b9b81ad1f2f4edde357b77dd63db21791e379b22f081f6e7",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -562,7 +562,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "e7af37125c1d839fdf46e14909d95f3373306a0509030f948cdbc597f6274a3c",
+    hash: "829c2df70a545f6671213e121fad6aa4412f1390c97af75c2af3408539321f7b",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -575,7 +575,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "efed696040e239150cb12cd4ab27dd654c3a9e624f1f6ea32d9d7fab2f8b27fc",
+    hash: "45917e08cc82f40fbf4fd3bad71d85dd7d58319aa631d266480698aefc90deca",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -588,7 +588,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "604dedd7f0d03dc0e641dcf5cdf0ab51ac88e27727c5a76172b8d796dc176867",
+    hash: "b267c4c36b4136b7cb6888c9c20f95e7f28525c5cd90ee83b192f5c2c8cefe2e",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -601,7 +601,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b720bf9ba9be33ffdb33d6fcf9aa77416dbf6b0c114105f39f36f07f4d90dcd9",
+    hash: "b2e5aa07b9132ed598355d257f9162f82965fd5127ce1916b7f628427baf1b56",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -614,7 +614,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "67a73a071c967c74a6f97989f2aa774553008044ad552c06c48a6cc0750bd4d8",
+    hash: "ee82ab31b30d36c999a1d65515fe104e7519fb91fb5661d9e66a554a900ca0c7",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -627,7 +627,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4ef8b7b1954277fcd8171e54ddc881217a8a2ddf0cac3759f2fcbdd43b17f385",
+    hash: "31ad90c9a0e18432586f0385a4a5eda13f0dd90500d06749b4edea6ae4112f38",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -640,5 +640,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a2e34d69b84c69d50672b7c0a884b590846ab5b7473a82690f2c1eff62106f63",
+    hash: "957e95da8375565627b710aa818c2c5bb44bff4e84955f8247d879fd075f08dd",
 };

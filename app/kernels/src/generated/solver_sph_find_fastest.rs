@@ -69,11 +69,11 @@ static FIND_FASTEST: Module = Module {
     name: "FindFastest",
     entry: "FindFastest",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3456 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 3452 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/find_fastest.compute",
-    hash: "eafb8b4c3c01bce933fc9ad6e8ab24bc095e0266b7f113c4f6a8e7c08257abde",
+    hash: "3917a7581a0e8ecbbbb5f89cf2d84496864fc02d5d72afde38bc4dd74bb2122a",
 };

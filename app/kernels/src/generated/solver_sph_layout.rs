@@ -156,8 +156,12 @@ pub struct SphLimits {
     pub step_s: f32,
     /// of a step, at most
     pub substeps: u32,
+    /// that particles may move until they are listed anew
+    pub list_reach_m: f32,
     /// `uint`.
     pub reserved0: u32,
+    /// SearchGroups' cells, sums and sums\_of\_sums of a substep that lists
+    pub scan_groups: [u32; 3],
     /// `uint`.
     pub reserved1: u32,
 }
@@ -168,9 +172,11 @@ const _: () = {
     assert!(offset_of!(SphLimits, steady_s) == 12);
     assert!(offset_of!(SphLimits, step_s) == 16);
     assert!(offset_of!(SphLimits, substeps) == 20);
-    assert!(offset_of!(SphLimits, reserved0) == 24);
-    assert!(offset_of!(SphLimits, reserved1) == 28);
-    assert!(size_of::<SphLimits>() == 32);
+    assert!(offset_of!(SphLimits, list_reach_m) == 24);
+    assert!(offset_of!(SphLimits, reserved0) == 28);
+    assert!(offset_of!(SphLimits, scan_groups) == 32);
+    assert!(offset_of!(SphLimits, reserved1) == 44);
+    assert!(size_of::<SphLimits>() == 48);
 };
 
 /// What the substeps came to. Maxima are bits, which order as the positive numbers that they are do.
@@ -187,8 +193,8 @@ pub struct SphTimeStep {
     pub left_s: f32,
     /// `uint`.
     pub substeps_left: u32,
-    /// `uint`.
-    pub reserved0: u32,
+    /// that particles may have moved since they were listed
+    pub drift_m: f32,
     /// `uint`.
     pub reserved1: u32,
     /// `uint`.
@@ -200,7 +206,7 @@ const _: () = {
     assert!(offset_of!(SphTimeStep, limit_s) == 8);
     assert!(offset_of!(SphTimeStep, left_s) == 12);
     assert!(offset_of!(SphTimeStep, substeps_left) == 16);
-    assert!(offset_of!(SphTimeStep, reserved0) == 20);
+    assert!(offset_of!(SphTimeStep, drift_m) == 20);
     assert!(offset_of!(SphTimeStep, reserved1) == 24);
     assert!(offset_of!(SphTimeStep, reserved2) == 28);
     assert!(size_of::<SphTimeStep>() == 32);

@@ -80,5 +80,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "c156050520627d679222dbff865681a316e026d51c493ea5d82ec997ae6a7fe5",
+    hash: "2bd6a6ca524b395aa5a7eb63247f4def4b435a6514ccdd9c2bd7b0d6bdaf0f62",
 };

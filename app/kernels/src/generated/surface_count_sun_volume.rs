@@ -72,5 +72,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "3de049b6d8968df59b5cb17752b0930ac49655640481f0c75f70bb83de0f0220",
+    hash: "51ca6f5c4250c4584ea33ab6455afa4dad81a7e7f56484f2a76ee638c7e31fae",
 };

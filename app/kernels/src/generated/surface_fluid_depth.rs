@@ -115,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "e75f3258295e239f9bc874ffea427d45d44af8a1596749c7574a9d22bebec6d3",
+    hash: "6408644efaf975ad42c9bec5c01b7f70d08c9eb879b540b8225492b791b9c9c2",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,7 +128,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "4a6faac7ac680826c1471fecd0fde3c2fc5bed93117fc520390065f5a1b49af3",
+    hash: "d1b71103733fea8f90572425b3c93e8bc980816f0efa2a9c32f04f3f125a11ee",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -141,7 +141,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "0fe0cb23bbbb247c5d3ba700271a21879615a802c76e6459d76a47a0d05b6d84",
+    hash: "d3b9668c554eb73c8e32e918272992a4ac1aa4bbac512ccac283e02a65155e6b",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -154,7 +154,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "22470cba2ec4e94ed59519dc9a5b5e417345dbbaa7f173c2474a35d244b7b220",
+    hash: "6270daccbf3f09043df46f7e23171a644edf8f178f7e58d9400093d341894dd6",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -167,5 +167,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "6ed61e36efd13d28364a419c921e9dd1d9a2e609ba2a3e0e1d104f9c9669798e",
+    hash: "1a910acb84636e3cd700256786f4506eebbf792898353a1a27987b5612775860",
 };

@@ -106,7 +106,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "0954e2fc961e2d58f3cdf02e70ff344e7609a343b90622cb4aa94826981feacf",
+    hash: "31c80a61fd07e09a42d827c77182a4c71adf97b0ac4dd8d33e178cf2ff82285c",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -119,5 +119,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "0d763d1aee93262b2a23e8c40919ebe161905144fd95d5858df62d6f8d77ddcb",
+    hash: "9b581cfcdf82be6b0c8e88d44d5bc1d109e445abd0028b7d322332a0087f0b98",
 };

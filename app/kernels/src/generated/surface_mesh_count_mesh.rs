@@ -91,5 +91,5 @@ static COUNT_MESH: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/count_mesh.compute",
-    hash: "d1b199ac443f615e83984459122ddbdc0575eb6b9ca4c43a62459d8e7b14d4e6",
+    hash: "0d3978e4e6e24d9f09e8afe9ce015784f4bd10b4b07cea2045c23fced7e10c42",
 };

@@ -112,5 +112,5 @@ static EMIT_TRIANGLES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_triangles.compute",
-    hash: "cc566621835cb7b169905b489a7ebdff8628ec3eb332d101c790421d79255b2a",
+    hash: "e9c049926e4b0dab3caf7e1e783fa31a1220d090a2c77a686ac51d396ce0d38d",
 };

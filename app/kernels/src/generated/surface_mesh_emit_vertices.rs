@@ -106,5 +106,5 @@ static EMIT_VERTICES: Module = Module {
     shared_bytes: 112,
     tier: Tier::Floor,
     source: "surface/mesh/emit_vertices.compute",
-    hash: "de79fc844600ea6f9619ea9e29982df659bf9b1b6813257f421d7702961e0647",
+    hash: "13173b56a837b09ef641d53f820046d3e6b6e3fa4a13f13b708712396e4b9f5b",
 };

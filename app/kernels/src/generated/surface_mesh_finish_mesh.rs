@@ -77,5 +77,5 @@ static FINISH_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/finish_mesh.compute",
-    hash: "f43e962076dcb4b3f86bd51afc8a63523de02560d25abfe3aef9279ab1a59da3",
+    hash: "5aaa0fca4f712f7e456ad0481a37904a54401ed4a958b01300f72ea4174047ce",
 };

@@ -118,7 +118,7 @@ static GATHER_FIELD: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "55af381920969d7b241926c118184958dbfd7bde2c6902f13bc9a93d502ddcde",
+    hash: "99e006e28a682f2cb6c7023e7425af90a9865a3a26abbb5d215a2b7bb1e050be",
 };
 
 static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
@@ -131,5 +131,5 @@ static GATHER_FIELD_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 64,
     tier: Tier::Floor,
     source: "surface/mesh/gather_field.compute",
-    hash: "076e071ed6f5bebc562fb33451b86cf5a4c523838f991877163d9db9fcf3ec4b",
+    hash: "ce26d34c6fa67a73e83f80f1c77bfa38ae2e61724255ccece9dbecc82b40926b",
 };

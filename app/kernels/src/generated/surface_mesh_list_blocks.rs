@@ -85,5 +85,5 @@ static LIST_BLOCKS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/list_blocks.compute",
-    hash: "ca4bc34aa99d74dae3e1dba123e9876a24f508b24a2189791727a906720f3736",
+    hash: "1c94aa0ec4002c814079cd494f6302eb1813416882487f07c3a6bccf744c3be6",
 };

@@ -87,5 +87,5 @@ static MARK_BLOCKS: Module = Module {
     shared_bytes: 500,
     tier: Tier::Floor,
     source: "surface/mesh/mark_blocks.compute",
-    hash: "da59efc63b3f1eca07226feda7c14535d5ed4b2fb865dae99672d57d0e40207d",
+    hash: "1d0866ec34ede1b27130ecad9168ae2756adb7caad701218cdbd90b1ea9f17f1",
 };

@@ -75,7 +75,7 @@ static DRAW_MESH_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "4f0bc86ebbc14f93f3b187b4a0a1984094f1627df8b7960c7127ad4712a4feca",
+    hash: "baf0701f0fa2357546da0c00cd81d039d3ce012922e618267c2a4ff1e80b22a2",
 };
 
 static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
@@ -88,5 +88,5 @@ static DRAW_MESH_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_depth.hlsl",
-    hash: "c80c1240867dc7746352030df743476311b7d115fbd69a2fe47bdebceb3800dc",
+    hash: "a28aecd15628d4bef00633e820643868b800070d8ecd07b2f66f237812d71f53",
 };

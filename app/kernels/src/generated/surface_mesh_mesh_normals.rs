@@ -100,7 +100,7 @@ static MESH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "b7920bc8ca0af6a9b576f1faf6c3872496fba0ca19c3825a951ac0d1c5512dd7",
+    hash: "52cf148eb45f58cd0174858f9adec8230a30759c7bce3624501225dd7242736f",
 };
 
 static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
@@ -113,5 +113,5 @@ static MESH_NORMALS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/mesh_normals.compute",
-    hash: "12ce43bd882d2e991e560b6ee62bd79ffbf92c0c6b9b4751c1033472b912892c",
+    hash: "29821e398f114f021569e5c8cade82dc7167a5ce841f7e251d36aae00618eec6",
 };

@@ -103,7 +103,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "1a0a35e943750405fc21c27a369a93f6a5ab97276d3c26c42cf4841887ea4093",
+    hash: "eea7d8e25dd39b9649b6b1060be3f1dd45a48a649ff0034a8664bb68e8223c4e",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "e443e61c84d969ca4ff4c1d9f104bce9798b1f2ec9320bcb3ce3133535a23572",
+    hash: "f735a68f4bbcda1ba6fd882fffb66680af45021744948ddecab9a0201b24a28a",
 };

@@ -66,5 +66,5 @@ static COUNT_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_edges.compute",
-    hash: "674e1564f2cba971ca9e90b89cd471ff5a8bd7c8c90019fd69e62414cc6ff66c",
+    hash: "4db3ddfce9bd8b6a35a2125ab8b79275df30d1a0734e333ae58fa1da20a2824c",
 };

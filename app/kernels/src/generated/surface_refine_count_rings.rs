@@ -73,5 +73,5 @@ static COUNT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/count_rings.compute",
-    hash: "043c5c6c2ede8e6b0ce8e45c4910ce00301412587264d1e0211e98bc44bf208d",
+    hash: "e94d40372e3c205af5655357836c464bd5134de461fa04fa341b4a4fcf15270b",
 };

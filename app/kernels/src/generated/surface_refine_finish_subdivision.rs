@@ -69,5 +69,5 @@ static FINISH_SUBDIVISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/finish_subdivision.compute",
-    hash: "588b86a359618ff82dde610b68077a7eb38be3ddf9fcb15cabd75d0c9489eee6",
+    hash: "b503c1f8e5c4ce742502c84020cb8724f2b5a2860155de20827614c80d9b9104",
 };

@@ -66,5 +66,5 @@ static LIST_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/list_rings.compute",
-    hash: "ebbd2e86fe7d46106ea88f4a52eddd62af3e848aed1393825d9d1504b2f453f9",
+    hash: "864923ead9b564fb0050bd4eeb0f5847c2b0e443f77f2a58a011351d4b0d5e90",
 };

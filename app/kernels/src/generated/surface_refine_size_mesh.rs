@@ -52,5 +52,5 @@ static SIZE_MESH: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/size_mesh.compute",
-    hash: "b40d71da3687c73edddd915d8155f78e434312f19d551b65bdaed081bea5b35f",
+    hash: "f3cc11f299c58e207ac5497f3047c6fa2b743aa577576eb2c879d1ea5419b075",
 };

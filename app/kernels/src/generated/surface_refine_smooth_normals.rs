@@ -80,5 +80,5 @@ static SMOOTH_NORMALS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/smooth_normals.compute",
-    hash: "bf2cfeee02efdca14083005ffb1e1f844f6e3bc0916ccb5d447a98109ef521bd",
+    hash: "17ea98f28756909aec114f846516a12b33728e475e0ce5f00a73c79a62409570",
 };

@@ -59,5 +59,5 @@ static SORT_RINGS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/sort_rings.compute",
-    hash: "1db8814d25fb878cd171ceccfbed1dd5d87c3a17032c6cb2b0227076a4ae1e8b",
+    hash: "66212404ad7919132df0b64355e18927eacd86478f15c3184d44f04dc41c0a49",
 };

@@ -84,5 +84,5 @@ static SUBDIVIDE_EDGES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_edges.compute",
-    hash: "f7a60d27418f63eca221aa0c0c7708dd0f13b38d58392b5f5c88e58444943c19",
+    hash: "8fc93726c2b1e1dbb4ad6230dd5e437e79a216908a3017969bc64a669b1aad72",
 };

@@ -79,5 +79,5 @@ static SUBDIVIDE_MIDDLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_middles.compute",
-    hash: "b82d94684dd8a8d770b0c30289f152b50834ca5a2e341a32a9b1995ae570c213",
+    hash: "e971fc306232ca2af22249d7c46808702af68170805abfb55dd7c9dd1a968505",
 };

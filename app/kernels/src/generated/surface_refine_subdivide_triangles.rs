@@ -88,5 +88,5 @@ static SUBDIVIDE_TRIANGLES: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refine/subdivide_triangles.compute",
-    hash: "6902c73de351e9a208c0269cac1e0bcbd34ad070401f576d659c2b5530354bf2",
+    hash: "de1f008e5b29665ede83d41f56fd3952d8780d47cb8b16f048ab0344576e6aba",
 };

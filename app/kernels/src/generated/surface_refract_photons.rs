@@ -73,5 +73,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "74e9a5d11ed2304d3602fc78208676f7eedeba10b19776f0bbc144ea8d3e3ca2",
+    hash: "5ac25860acc4808c167fa7f6a4799aa2b22e75df6f2a671cc463812d84ab8cc3",
 };

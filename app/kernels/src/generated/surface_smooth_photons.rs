@@ -87,7 +87,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "1bd993b9f2a4cd8cedb5f2d59a1d28792e03074977e5850b9603152d1503caec",
+    hash: "705c547f86c044ce6de5ed9e06025ce254ea72772d43615d6edb7431a91ce120",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "15ed2a90f550bcd2eb9099b7424860c9e73e82168afc66ceaa8d643f128f81b2",
+    hash: "63261b157f221a39f883e548530bdb646ae357ca634e367bd0b34a6da7c613bb",
 };

@@ -67,5 +67,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "a3b5119fef5df5dfaf0b068f90dfda4239842d3e0038c3b60d777a133f3ad135",
+    hash: "356b49ced9be47a9d03cb3cb02bae25d75fd710d60c9ee922573c8c9b5965422",
 };

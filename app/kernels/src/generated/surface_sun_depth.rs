@@ -117,7 +117,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "66f3bcbddef3465c4b0873e6ac79b63f861f2e34e78916a39c648e92db0372a7",
+    hash: "1e29b64800719fc8122c8c8c655497df5343522468eab247efaa475da3e43d28",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "83cadae47c6afd3e244d156fe4be4e32c7cf97d4c4db9bd73c7fa55a60e37777",
+    hash: "5562692fb495bce3bcb6491cf435098106cd8642174309279c99f0541aefc52d",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "b3b784eb4b5b6d7c750ea0ed2261d6a76a7558cedf494a351ebc15f44124d4d6",
+    hash: "588134f2202668e099fa5e96fdcc964cd5ba0ec3623f03b201e0494c594e8513",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "f3518f5078ab061c0122b3a76437438de0791d966688fea507d13a6e4d5232b7",
+    hash: "a2d9c47e1d4b7e086919f599f5382b1b90124b9016145a91991479fe6008195f",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -169,5 +169,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "ddf16242830b12e947cf03cc7a7929e06000b7db5641efc3249885e6ad073683",
+    hash: "aae49e7dd8aa2db0784d735dfe24709cb24831e54e52d1dd0af572eaf8e6d696",
 };

@@ -88,7 +88,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "25f638e1f61931ec8f82679c94663387b2752112d32a2bbb838c0e2842ecdb5d",
+    hash: "596ab83e339eed29a8e43f07571c9381095bdea971af56921b981ffbecd551ab",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "42e9ff60fba06d49a16dce3c362915c26e02ee00151734a2444ad069d6c245a7",
+    hash: "be2057897da5c2f4b18aa2f2b80c74dfc0c1448a4fb978a570d3c852b097e269",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "0633d631fd137cc506ede0133f528cbf753ba9cf3589132c191914ec83e7339d",
+    hash: "20b171540ea3f575b5dc80c112f20aa1b696cc74940dd5addb29ef7c8b6092b1",
 };

@@ -94,7 +94,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "5f2347558328422ebc3036bee0de13e9760d6ee4c737ca828d7e17de16fdb628",
+    hash: "2a89b29afaade22c9c473edbacc768347106614cf830ff99380d720f6ec2c2c0",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "0f6f74b4093f33a62377341434e5a002cf81af744afdb036e58ef027c685a4cf",
+    hash: "5d6314581c702788cb05b4c1a595c7043ded3b7985426e126e43663cbbb0bb97",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "2728339a8e455202d1bce517ddc59a9b8b584cc97a6cc7ed89982f28460d03ee",
+    hash: "9a8460a9250467a51f9db5006347d0e48c59f51e76258a5491dfce3cd60d9c7d",
 };

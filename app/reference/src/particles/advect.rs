@@ -24,7 +24,7 @@ pub fn advect(before: Particle, step: &Step, kicks: &Kicks) -> Predicted {
     let kick_m_s = before.acceleration_m_s2.unwrap_or(step.gravity_m_s2) * step.dt_s;
     let kicked_m_s = before.velocity_m_s + kick_m_s * kicks.before;
     if !before.position_m.is_finite() || !kicked_m_s.is_finite() {
-        let particle = Particle { quarantined: true, ..Particle::default() };
+        let particle = before.parked();
         return Predicted { particle, slowed: false };
     }
     let (velocity_m_s, slowed) = step.slowed(kicked_m_s);

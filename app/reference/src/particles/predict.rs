@@ -13,7 +13,7 @@ pub struct Particle {
     pub position_m: DVec3,
     /// Velocity, m/s.
     pub velocity_m_s: DVec3,
-    /// Its state was not finite: it is parked at the origin, at rest, and met by nobody.
+    /// Its state was not finite: it is parked where it was, or at the origin, at rest, and listed by nobody.
     pub quarantined: bool,
     /// The slot holds no particle.
     pub inactive: bool,
@@ -49,6 +49,12 @@ impl Particle {
         }
     }
 
+    /// What becomes of it when its state is not finite.
+    pub fn parked(&self) -> Self {
+        let position_m = if self.position_m.is_finite() { self.position_m } else { DVec3::ZERO };
+        Self { position_m, quarantined: true, ..Self::default() }
+    }
+
     /// Whether it takes part.
     pub fn is_simulated(&self) -> bool {
         !self.quarantined && !self.inactive
@@ -70,7 +76,7 @@ pub fn predict(before: Particle, step: &Step) -> Predicted {
         return Predicted { particle: before, slowed: false };
     }
     if !before.position_m.is_finite() || !before.velocity_m_s.is_finite() {
-        let particle = Particle { quarantined: true, ..Particle::default() };
+        let particle = before.parked();
         return Predicted { particle, slowed: false };
     }
     let (velocity_m_s, slowed) = step.slowed(before.velocity_m_s + step.gravity_m_s2 * step.dt_s);
@@ -155,7 +161,9 @@ mod tests {
         particle.velocity_m_s.y = f64::NAN;
         let after = predict(particle, &step(false)).particle;
         assert!(after.quarantined);
-        assert_eq!(after.position_m, DVec3::ZERO);
+        assert_eq!(after.position_m, particle.position_m, "where it was");
+        particle.position_m.x = f64::INFINITY;
+        assert_eq!(predict(particle, &step(false)).particle.position_m, DVec3::ZERO);
         assert_eq!(after.velocity_m_s, DVec3::ZERO);
     }
 }

@@ -106,6 +106,8 @@ fn sph_of(scene: &Scene) -> Sph {
         adaptive: scene.adapts_substeps().then(|| Limits::of(&sph::limits(scene))),
         left: Left::default(),
         maxima: [0.0; 2],
+        neighbours: Vec::new(),
+        drift_m: 0.0,
     }
 }
 

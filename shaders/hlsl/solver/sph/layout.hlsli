@@ -67,7 +67,9 @@ struct SphLimits
     float steady_s;             // least of the viscous and the surface tension's limit
     float step_s;               // what a step advances
     uint substeps;              // of a step, at most
+    float list_reach_m;         // that particles may move until they are listed anew
     uint reserved0;
+    uint3 scan_groups;          // SearchGroups' cells, sums and sums_of_sums of a substep that lists
     uint reserved1;
 };
 
@@ -79,7 +81,7 @@ struct SphTimeStep
     float limit_s;              // that the substep has to keep
     float left_s;               // of the step, where the GPU chooses its substeps
     uint substeps_left;
-    uint reserved0;
+    float drift_m;              // that particles may have moved since they were listed
     uint reserved1;
     uint reserved2;
 };

@@ -3,6 +3,9 @@
 //!
 //! A substep moves particles first and computes forces of where they then are, so that lists, densities and positions of a
 //! measurement belong together. The acceleration is kept by slot: the next substep reads it before it sorts.
+//!
+//! Substeps are short: a particle moves a fiftieth of h in one at most. So where the GPU chooses them, most keep the order and
+//! the lists of one before (`choose_time_step.compute`).
 
 mod accelerate;
 mod compute_density;
@@ -116,7 +119,7 @@ impl Sph {
         init.upload(&mut self.pressure_walls, &[pressure_walls(scene)]);
         init.upload(&mut self.kicks, &[kick_params(scene)]);
         init.clear(&mut self.accelerations);
-        self.time_step.record_init(init, scene);
+        self.time_step.record_init(init, scene, self.search.grid.cell_counts.len);
         self.search.record_init(init, scene);
     }
 
@@ -135,8 +138,13 @@ impl Sph {
         if let Some(solids) = &mut context.solids {
             solids.record_collide(recording, &mut particles.positions, &mut particles.velocities);
         }
-        self.search.sort(recording, context, particles);
-        self.search.list(recording, context);
+        match self.time_step.search_groups() {
+            Some(due) => self.search.sort_and_list_if_due(recording, context, particles, due),
+            None => {
+                self.search.sort(recording, context, particles);
+                self.search.list(recording, context);
+            }
+        }
         compute_density(recording, self, context, particles);
         if let Some(solids) = &mut context.solids {
             solids.record_sample(recording, &self.search.sorted.positions, &self.search.smoothing_kernel);

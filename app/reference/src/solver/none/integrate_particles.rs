@@ -11,7 +11,7 @@ pub fn integrate_particles(id: u32, before: Particle, step: &Step, settings: &No
         return unslowed(before);
     }
     if !before.position_m.is_finite() || !before.velocity_m_s.is_finite() {
-        return unslowed(Particle { quarantined: true, ..Particle::default() });
+        return unslowed(before.parked());
     }
     let age_s = before.age_s + step.dt_s;
     if settings.lifetime_s > 0.0 && age_s >= settings.lifetime_of_s(id) {

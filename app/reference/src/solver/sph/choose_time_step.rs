@@ -17,6 +17,8 @@ pub struct Limits {
     pub step_s: f64,
     /// Of a step, at most.
     pub substeps: u32,
+    /// That particles may move until they are listed anew, m.
+    pub list_reach_m: f64,
 }
 
 /// What is left of a step whose substeps the limits choose.
@@ -49,6 +51,7 @@ impl Limits {
             steady_s: limits.steady_s.into(),
             step_s: limits.step_s.into(),
             substeps: limits.substeps,
+            list_reach_m: limits.list_reach_m.into(),
         }
     }
 
@@ -76,6 +79,15 @@ impl Limits {
     }
 }
 
+impl Limits {
+    /// How far particles may have moved since they were listed when a substep of `dt_s` has moved them, after one with this
+    /// fastest particle and largest acceleration, m; 0 of one that lists them.
+    pub fn drift_m(&self, drift_m: f64, dt_s: f64, [speed_m_s, acceleration_m_s2]: [f64; 2], is_first: bool) -> f64 {
+        let drifted_m = drift_m + dt_s * (speed_m_s + dt_s * acceleration_m_s2);
+        if is_first || drifted_m > self.list_reach_m { 0.0 } else { drifted_m }
+    }
+}
+
 /// Whether a substep is above its limit, by more than a rounding.
 pub fn is_long(dt_s: f64, limit_s: f64) -> bool {
     dt_s > 1.0001 * limit_s
@@ -85,8 +97,15 @@ pub fn is_long(dt_s: f64, limit_s: f64) -> bool {
 mod tests {
     use super::*;
 
-    const LIMITS: Limits =
-        Limits { cfl_m: 0.008, sound_m_s: 30.0, force_m: 0.00125, steady_s: 1.0, step_s: 1.0 / 240.0, substeps: 30 };
+    const LIMITS: Limits = Limits {
+        cfl_m: 0.008,
+        sound_m_s: 30.0,
+        force_m: 0.00125,
+        steady_s: 1.0,
+        step_s: 1.0 / 240.0,
+        substeps: 30,
+        list_reach_m: 0.002,
+    };
 
     #[test]
     fn substeps_add_up_to_the_step_and_keep_the_limit() {
@@ -115,6 +134,15 @@ mod tests {
         }
         assert_eq!(long, 4);
         assert!((time_s - limits.step_s).abs() < 1e-15);
+    }
+
+    #[test]
+    fn particles_are_listed_anew_before_they_have_gone_too_far() {
+        let moved = |drift_m, dt_s, is_first| LIMITS.drift_m(drift_m, dt_s, [3.0, 1000.0], is_first);
+        assert_eq!(moved(0.0012, 1.0e-4, true), 0.0, "a step's first");
+        assert!((moved(0.0012, 1.0e-4, false) - 0.00151).abs() < 1e-15);
+        assert_eq!(moved(0.0018, 1.0e-4, false), 0.0, "too far");
+        assert_eq!(Limits { list_reach_m: 0.0, ..LIMITS }.drift_m(0.0, 1.0e-4, [1e-9, 0.0], false), 0.0, "always");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::accelerate::{Flow, accelerate};
 use super::choose_time_step::{Left, Limits};
-use super::compute_density::{Kernels, Terms, compute_density};
+use super::compute_density::{Kernels, State, Terms, compute_density};
 use super::find_fastest::find_fastest;
 use crate::boundary::walls::DomainWalls;
 use crate::grid::list_neighbours::list_by_cells;
@@ -33,6 +33,10 @@ pub struct Sph {
     pub left: Left,
     /// Fastest particle and largest acceleration of the last substep.
     pub maxima: [f64; 2],
+    /// The neighbours that the last substep took.
+    pub neighbours: Vec<Vec<usize>>,
+    /// How far particles may have moved since they were listed, m; 0 where they were just then.
+    pub drift_m: f64,
 }
 
 impl Sph {
@@ -42,6 +46,7 @@ impl Sph {
         if let Some(limits) = &self.adaptive {
             let [speed_m_s, acceleration_m_s2] = self.maxima;
             let chosen = limits.choose(limits.limit_s(speed_m_s, acceleration_m_s2), self.left);
+            self.drift_m = limits.drift_m(self.drift_m, chosen.dt_s, self.maxima, self.left.substeps == 0);
             self.left = chosen.left;
             if chosen.dt_s == 0.0 {
                 return 0.0;
@@ -50,6 +55,9 @@ impl Sph {
         }
         for particle in particles.iter_mut() {
             *particle = advect(*particle, &step, &self.kicks).particle;
+        }
+        if self.drift_m == 0.0 {
+            self.neighbours = self.list(particles, &step);
         }
         let accelerations = self.accelerations(particles, &step);
         for (particle, acceleration_m_s2) in particles.iter_mut().zip(accelerations) {
@@ -64,17 +72,26 @@ impl Sph {
         step.dt_s
     }
 
-    fn accelerations(&self, particles: &[Particle], step: &Step) -> Vec<DVec3> {
+    fn list(&self, particles: &[Particle], step: &Step) -> Vec<Vec<usize>> {
         let positions_m: Vec<DVec3> = particles.iter().map(|p| p.position_m).collect();
-        let velocities_m_s: Vec<DVec3> = particles.iter().map(|p| p.velocity_m_s).collect();
         let alone = |i: usize| {
             let inside_m = positions_m[i].clamp(DVec3::ZERO, step.domain_size_m);
             !particles[i].is_simulated() || inside_m != positions_m[i]
         };
-        let neighbours = list_by_cells(&positions_m, alone, self.smoothing.support_m, step.period_m);
+        list_by_cells(&positions_m, alone, self.smoothing.support_m, step.period_m)
+    }
+
+    fn accelerations(&self, particles: &[Particle], step: &Step) -> Vec<DVec3> {
+        let positions_m: Vec<DVec3> = particles.iter().map(|p| p.position_m).collect();
+        let velocities_m_s: Vec<DVec3> = particles.iter().map(|p| p.velocity_m_s).collect();
+        let neighbours = &self.neighbours;
         let states = parallel::map(particles.len(), |i| {
             let walls = self.density_walls.as_ref();
-            compute_density(i, &positions_m, &neighbours[i], &self.smoothing, &self.kernels, &self.terms, walls)
+            let state =
+                compute_density(i, &positions_m, &neighbours[i], &self.smoothing, &self.kernels, &self.terms, walls);
+            // Lists that are kept still have who was parked since.
+            let pressure_m2_s2 = if particles[i].is_simulated() { state.pressure_m2_s2 } else { 0.0 };
+            State { pressure_m2_s2, ..state }
         });
         let flow = Flow { positions_m: &positions_m, velocities_m_s: &velocities_m_s, states: &states };
         parallel::map(particles.len(), |i| {
