@@ -1,5 +1,6 @@
 //! A step of SPH beside one of SPlisHSPlasH's WCSPH, in turns on this machine: the workload of the peers at 27,648 and
-//! 128,000 particles, the same fixed step and speed of sound, wall clocks. Needs a Python with pySPlisHSPlasH 2.19.0, which
+//! 128,000 particles, the same fixed step and speed of sound, wall clocks. Eight of theirs are one of ours, its substeps, most of
+//! which keep their lists. Needs a Python with pySPlisHSPlasH 2.19.0, which
 //! BROOKLET_PEERS_PYTHON names; arguments: turns, steps:
 //! `BROOKLET_PEERS_PYTHON=venv/bin/python cargo run --release -p brooklet-tests --example peers_speed -- 3 30`.
 
@@ -16,6 +17,8 @@ const SPACINGS_M: [f64; 2] = [1.0 / 48.0, 1.0 / 80.0];
 const WARM_UP: usize = 3;
 /// Of the longest substep that sound allows.
 const OF_THE_LIMIT: f64 = 0.8;
+/// Of one of our steps: each is one of theirs.
+const SUBSTEPS: usize = 8;
 
 fn scene(spacing_m: f64, settings: &[String]) -> Result<Scene, String> {
     peers::scene(spacing_m, &[&["solver.method=sph".into()], settings].concat())
@@ -57,14 +60,18 @@ fn run(python: &OsString, turns: usize, steps: usize) -> Result<(), String> {
     for spacing_m in SPACINGS_M {
         let free = scene(spacing_m, &["solver.sph.adaptive_substeps=false".into()])?;
         let dt_s = OF_THE_LIMIT * free.sound_limit_s().min(free.steady_limit_s());
-        let fixed = scene(spacing_m, &["solver.sph.adaptive_substeps=false".into(), format!("solver.dt_s={dt_s:?}")])?;
+        let (substeps, step) =
+            (format!("solver.substeps={SUBSTEPS}"), format!("solver.dt_s={:?}", SUBSTEPS as f64 * dt_s));
+        let fixed = scene(spacing_m, &["solver.sph.adaptive_substeps=false".into(), substeps, step])?;
         let chosen = scene(spacing_m, &[])?;
         let sound_m_s = free.stiffness_m2_s2().sqrt();
         let (mut own, mut other, mut ratios, mut a_second) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut compression = [0.0_f64; 2];
         for _ in 0..turns {
-            let (ours_s, ours_most) = ours(&fixed, steps + WARM_UP)?;
-            let end_s = (steps + WARM_UP) as f64 * dt_s;
+            let own_steps = steps.div_ceil(SUBSTEPS) + WARM_UP;
+            let (mut ours_s, ours_most) = ours(&fixed, own_steps)?;
+            ours_s.iter_mut().for_each(|step_s| *step_s /= SUBSTEPS as f64);
+            let end_s = (own_steps * SUBSTEPS) as f64 * dt_s;
             let theirs = splishsplash::run(python, Solver::Wcsph(sound_m_s), spacing_m, dt_s, end_s)?;
             if theirs.particles != fixed.particle_count() {
                 return Err(format!("{} particles there, {} here", theirs.particles, fixed.particle_count()));

@@ -303,10 +303,11 @@ impl Scene {
         self.solver.method == Method::Sph && self.solver.sph.adaptive_substeps
     }
 
-    /// Whether some substeps keep the lists of one before: not where particles come and go, nor where spray looks for others in
-    /// the cells.
+    /// Whether some substeps keep the lists of one before: SPH's, which are short; not where particles come and go, nor where
+    /// spray looks for others in the cells.
     pub fn keeps_lists(&self) -> bool {
-        self.adapts_substeps() && self.slot_capacity().is_none() && self.diffuse.is_none()
+        let has_short_ones = self.solver.method == Method::Sph && self.substeps() > 1;
+        has_short_ones && self.slot_capacity().is_none() && self.diffuse.is_none()
     }
 
     /// Speed no particle exceeds, m/s: what the scene says, else 0.6 h a substep; particles that meet nobody have

@@ -168,50 +168,50 @@ static CHOOSE_TIME_STEP: Module = Module {
     name: "ChooseTimeStep",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5784 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 5900 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "4dbcca3f28d3797d0d8ca2a46e36d9691e3980195e6175e90d1eb2b02f3d84f9",
+    hash: "f9d0b9175b71259c3f8b39c16bb7da108997de20b55e1280269b5d924f304308",
 };
 
 static CHOOSE_TIME_STEP_WITH_KEEPS_LISTS: Module = Module {
     name: "ChooseTimeStep+KEEPS_LISTS",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5784, bytes: 7068 },
+    spirv: Spirv::Packed { pack: PACK, first: 5900, bytes: 7488 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "f9abde23e6f8c89bde054bb076ef4673f202bd88345859f40e059ca09ca9a8ff",
+    hash: "616a7fcee98775e4934f8d9960577a7e8da44aff6262c44332d476c67c6f30ba",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 12852, bytes: 5680 },
+    spirv: Spirv::Packed { pack: PACK, first: 13388, bytes: 5680 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "0faf641e9d48b98a8abc87925b8cb8861a2d2fcffbb4d22a0fbd89295ff067f6",
+    hash: "f5f0495a993be08345d43c2239ecbd13d5a7c39da7556fbf5052341a472074a4",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE_WITH_KEEPS_LISTS: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE+KEEPS_LISTS",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 18532, bytes: 7268 },
+    spirv: Spirv::Packed { pack: PACK, first: 19068, bytes: 7268 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "860d514c968bc8fb4016a9b25633ae3581b5534e39a5632d09665b7c0cabc4b2",
+    hash: "84fd500878f7098e0dd2b8dd3000113829d40953759f47254cdc2eb3d745b608",
 };

@@ -37,7 +37,9 @@ fn order_plot(quick: bool, store: &Store) -> Plot {
             let points = order(method, case.name(), error, quick, store);
             let Some(&(x, y)) = points.first() else { continue };
             let slope = order_of(&points).map_or(String::new(), |order| format!(" ({order:.2})"));
-            let name = format!("{} {}{slope}", method.name, case.name());
+            // A legend is narrow: a case by its last word.
+            let what = case.name().rsplit('-').next().unwrap_or_default();
+            let name = format!("{} {what}{slope}", method.name);
             coarsest.get_or_insert(points.iter().map(|&(at, _)| (at, y * at / x)).collect());
             lines.push(Line { name, color, mark: mark_of(method), points });
         }

@@ -4,8 +4,8 @@
 //! A substep moves particles first and computes forces of where they then are, so that lists, densities and positions of a
 //! measurement belong together. The acceleration is kept by slot: the next substep reads it before it sorts.
 //!
-//! Substeps are short: a particle moves a fiftieth of h in one at most. So where the GPU chooses them, most keep the order and
-//! the lists of one before (`choose_time_step.compute`).
+//! Substeps are short: a particle moves a fiftieth of h in one at most. So most keep the order and the lists of one before
+//! (`choose_time_step.compute`).
 
 mod accelerate;
 mod compute_density;

@@ -27,8 +27,10 @@ pub struct Sph {
     pub density_walls: Option<DomainWalls>,
     /// And what they answer to pressure.
     pub pressure_walls: Option<DomainWalls>,
-    /// What limits substeps, where they are chosen.
-    pub adaptive: Option<Limits>,
+    /// What limits substeps.
+    pub limits: Limits,
+    /// Whether they are chosen.
+    pub adapts: bool,
     /// What is left of the step.
     pub left: Left,
     /// Fastest particle and largest acceleration of the last substep.
@@ -43,16 +45,20 @@ impl Sph {
     /// Advances by one substep, and says by how long, s; one that is left over does nothing.
     pub fn substep(&mut self, particles: &mut [Particle], step: &Step) -> f64 {
         let mut step = *step;
-        if let Some(limits) = &self.adaptive {
-            let [speed_m_s, acceleration_m_s2] = self.maxima;
-            let chosen = limits.choose(limits.limit_s(speed_m_s, acceleration_m_s2), self.left);
-            self.drift_m = limits.drift_m(self.drift_m, chosen.dt_s, self.maxima, self.left.substeps == 0);
-            self.left = chosen.left;
-            if chosen.dt_s == 0.0 {
-                return 0.0;
-            }
+        let [speed_m_s, acceleration_m_s2] = self.maxima;
+        let is_first = self.left.substeps == 0;
+        self.left = if self.adapts {
+            let chosen = self.limits.choose(self.limits.limit_s(speed_m_s, acceleration_m_s2), self.left);
             step.dt_s = chosen.dt_s;
+            chosen.left
+        } else {
+            let substeps = if is_first { self.limits.substeps } else { self.left.substeps };
+            Left { substeps: substeps - 1, ..self.left }
+        };
+        if step.dt_s == 0.0 {
+            return 0.0;
         }
+        self.drift_m = self.limits.drift_m(self.drift_m, step.dt_s, self.maxima, is_first);
         for particle in particles.iter_mut() {
             *particle = advect(*particle, &step, &self.kicks).particle;
         }
