@@ -35,6 +35,9 @@ fn sweep(hand: &mut Hand, id: u64, [x, y]: [f32; 2]) {
 #[test]
 fn one_finger_pushes_two_come_nearer_and_turn() {
     let (mut hand, _folder) = running();
+    // Held: where the machine is loaded the ladder would load fewer particles under the finger.
+    hand.app.viewer_mut().unwrap().handle_action(Action::Rung(12));
+    hand.settle();
     assert!(hand.steps(1, LONG));
     let first = eye(&hand);
     // Only a hand moves anything sideways, out of the picture's plane.

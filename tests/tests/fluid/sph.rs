@@ -40,8 +40,12 @@ fn its_plan_has_its_own_stages_and_none_of_another_solver() {
     assert!(!variants.contains("SURFACE_TENSION") && !variants.contains("CHOSEN_KERNELS"), "{variants}");
     // Substeps that the GPU chooses, and what ends such a step.
     let (plan, variants) = stages(&["spacing_m=0.05", "solver.dt_s=0.0002"]);
-    let kept = sort.replace("reorder", "reorder keep_order");
-    let substep = format!("choose_time_step advect {kept} compute_density accelerate find_fastest");
+    let substep = format!("choose_time_step advect {sort} compute_density accelerate find_fastest");
+    assert_eq!(plan, format!("{substep} end_step {measure}"));
+    assert!(variants.contains("ChooseTimeStep+ADAPTIVE") && !variants.contains("KEEPS_LISTS"), "{variants}");
+    // Of several most keep their lists.
+    let (plan, variants) = stages(&["spacing_m=0.05", "solver.dt_s=0.001"]);
+    let substep = substep.replace("reorder", "reorder keep_order");
     assert_eq!(plan, format!("{substep} end_step {measure}"));
     assert!(variants.contains("ChooseTimeStep+ADAPTIVE+KEEPS_LISTS"), "{variants}");
     let tension = ["solver.support_ratio=3", "solver.sph.surface_tension_n_m=1", "solver.sph.density_kernel=poly6"];

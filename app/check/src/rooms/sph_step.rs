@@ -248,7 +248,8 @@ fn run_keep(
     (run.read(&state, 1)[0], run.read(&time_step, 1)[0], run.read(&groups, 1)[0])
 }
 
-/// Of a step's first substep, one that keeps its lists, one that would drift too far, and one that is left over.
+/// Of a step's first substep, one that keeps its lists, one that would drift too far, one that drifts nobody knows how far, and
+/// one that is left over.
 pub(crate) fn lists_are_kept_until_particles_have_moved_too_far(device: &Device) {
     let mut worst = device.worst(ChooseTimeStep::STAGE, 16.0 * ROUNDING);
     let maxima = [2.0_f32, 100.0];
@@ -267,6 +268,7 @@ pub(crate) fn lists_are_kept_until_particles_have_moved_too_far(device: &Device)
         (SphTimeStep { substeps_left: 0, drift_m: 1.0e-4, ..within }, true, true),
         (SphTimeStep { drift_m: 1.0e-4, ..within }, true, false),
         (SphTimeStep { drift_m: 1.9e-3, ..within }, true, true),
+        (SphTimeStep { drift_m: f32::NAN, ..within }, true, true),
         (SphTimeStep { drift_m: 1.0e-4, left_s: 0.0, ..within }, false, false),
     ] {
         let (state, after, groups) = run_keep(device, before, LIMITS, slots);

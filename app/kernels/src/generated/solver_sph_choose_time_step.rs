@@ -174,44 +174,44 @@ static CHOOSE_TIME_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "f9d0b9175b71259c3f8b39c16bb7da108997de20b55e1280269b5d924f304308",
+    hash: "9052302597ac7c74c8574297990914bb15fc908688db3e8c64eaeb7bded3bea7",
 };
 
 static CHOOSE_TIME_STEP_WITH_KEEPS_LISTS: Module = Module {
     name: "ChooseTimeStep+KEEPS_LISTS",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 5900, bytes: 7488 },
+    spirv: Spirv::Packed { pack: PACK, first: 5900, bytes: 7504 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "616a7fcee98775e4934f8d9960577a7e8da44aff6262c44332d476c67c6f30ba",
+    hash: "f26149aaa2287ce6b1b208c83d525741db508a9807379b079e6a5f8abe616ac5",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 13388, bytes: 5680 },
+    spirv: Spirv::Packed { pack: PACK, first: 13404, bytes: 5680 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "f5f0495a993be08345d43c2239ecbd13d5a7c39da7556fbf5052341a472074a4",
+    hash: "d892c8910d6a2bb2115fbcd2549404feea54b9758215278925dd70a3b8fa4047",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE_WITH_KEEPS_LISTS: Module = Module {
     name: "ChooseTimeStep+ADAPTIVE+KEEPS_LISTS",
     entry: "ChooseTimeStep",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 19068, bytes: 7268 },
+    spirv: Spirv::Packed { pack: PACK, first: 19084, bytes: 7284 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "84fd500878f7098e0dd2b8dd3000113829d40953759f47254cdc2eb3d745b608",
+    hash: "9fb816799cef59b7af493c68aa1810d6a66abceef295d8e6aac90281e03d27cf",
 };

@@ -112,7 +112,7 @@ impl Map {
             let name = if self == Self::Relaxation { "kinetic energy" } else { "compression p99" };
             let theory = match self {
                 Self::Compression => outcome.figure("law's compression")?.value?,
-                // As above; told of what did not hold as well.
+                // p = k (rho - rho0) at the floor, of what did not hold as well.
                 Self::Stiffness => 9.81 * HYDROSTATIC_HEIGHT_M / x,
                 Self::Tolerance => x,
                 Self::Relaxation => 2.0 / lambda_max(3, x, 0.01),

@@ -84,7 +84,7 @@ impl Limits {
     /// fastest particle and largest acceleration, m; 0 of one that lists them.
     pub fn drift_m(&self, drift_m: f64, dt_s: f64, [speed_m_s, acceleration_m_s2]: [f64; 2], is_first: bool) -> f64 {
         let drifted_m = drift_m + dt_s * (speed_m_s + dt_s * acceleration_m_s2);
-        if is_first || drifted_m > self.list_reach_m { 0.0 } else { drifted_m }
+        if !is_first && drifted_m <= self.list_reach_m { drifted_m } else { 0.0 }
     }
 }
 
@@ -142,6 +142,7 @@ mod tests {
         assert_eq!(moved(0.0012, 1.0e-4, true), 0.0, "a step's first");
         assert!((moved(0.0012, 1.0e-4, false) - 0.00151).abs() < 1e-15);
         assert_eq!(moved(0.0018, 1.0e-4, false), 0.0, "too far");
+        assert_eq!(moved(0.0, f64::NAN, false), 0.0, "nobody knows where to");
         assert_eq!(Limits { list_reach_m: 0.0, ..LIMITS }.drift_m(0.0, 1.0e-4, [1e-9, 0.0], false), 0.0, "always");
     }
 
