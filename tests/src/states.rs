@@ -1,7 +1,15 @@
-//! Bytes of saved states that no program writes: of other versions of the format, with sections of newer
+//! Saved states, and bytes of ones that no program writes: of other versions of the format, with sections of newer
 //! programs.
 
+use brooklet_fluid::diffuse::DiffuseSet;
+use brooklet_fluid::particles::ParticleSet;
 use brooklet_fluid::state::State;
+use brooklet_fluid::{BodyMotion, Scene};
+
+/// A state of nothing but particles.
+pub fn state_of(scene: Scene, particles: ParticleSet, steps: u64, time_s: f64) -> State {
+    State { scene, time_s, steps, particles, bodies: BodyMotion::default(), diffuse: DiffuseSet::default() }
+}
 
 /// The file with other bytes from `at` on, and a checksum that is right again.
 pub fn patched(bytes: &[u8], at: usize, with: &[u8]) -> Vec<u8> {

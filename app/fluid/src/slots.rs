@@ -102,6 +102,8 @@ impl Slots {
             true => last.map_or(0, |last| last as u32 + 1),
             false => self.capacity,
         };
-        StepState { time_s: time_s as f32, ..visit_slots(visited) }
+        let rounded_s = time_s as f32;
+        let time_lost_s = (f64::from(rounded_s) - time_s) as f32;
+        StepState { time_s: rounded_s, time_lost_s, ..visit_slots(visited) }
     }
 }

@@ -1,7 +1,7 @@
 //! A running scene in a file: saved in one go, read back whole or not at all.
 //!
-//! A running scene is its scene and its particles. So a saved state goes on bit for bit where sorting is deterministic, and
-//! a scene of another spacing takes the fluid over by resampling it. With `solver.pbf.warm_start` the last substep's
+//! A running scene is its scene, the time, its particles, bodies, and spray, foam and bubbles. So a saved state goes on bit for
+//! bit where sorting is deterministic, and a scene of another spacing takes the fluid over by resampling it. With `solver.pbf.warm_start` the last substep's
 //! pressure lasts as well; it is not saved, and the first substep begins cold.
 //!
 //! A `.brooklet` file is, in this order and little-endian:
@@ -23,12 +23,14 @@
 //! |---|---|---|
 //! | `PART` | 1 | for each slot, inactive ones too, its position relative to the domain's lowest corner, 3 f32 in m, and its tag, u32 (`shared/layout.hlsli`); then for each its velocity, 3 f32 in m/s |
 //! | `AGES` | 1 | for each slot its particle's age, f32 in s, below 0 what is left of its lifetime; there only if some are not 0 |
+//! | `FOAM` | 1 | may be left out. The slot that the next diffuse particle takes, u32; then for each slot in use its position relative to the domain's lowest corner (3 f32, m), what is left of its lifetime (f32, s), velocity (3 f32, m/s) and crowd (f32), `diffuse/layout.hlsli`; there only if any is in use |
 //! | `BODY` | 1 | for each of the scene's bodies, in the order of its solids, f32: its centre of mass relative to the domain's lowest corner (3, m), rotation (quaternion x, y, z, w), velocity (3, m/s), spin (3, rad/s), and what the fluid owes it, momentum (3, kg m/s) and angular momentum (3, kg m²/s); then the 16 u32 of its reaction (`boundary/bodies/layout.hlsli`); there only if there are any |
 //!
 //! In version 1 of the format the content of `PART` follows the header, without a list of sections, and the scene has
 //! the keys of `[solver.pbf]` and `[forces]` in `[solver]`.
 
 mod bodies;
+mod diffuse;
 mod sections;
 
 use std::fs::File;
@@ -40,9 +42,10 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::body_motion::BodyMotion;
+use crate::diffuse::DiffuseSet;
 use crate::particles::{ParticleSet, id_of};
 use crate::scene::{MAX_PARTICLES, Scene, SceneError, shortened};
-use sections::{Cut, Name, Section};
+use sections::{Cut, Known, Section};
 
 /// The format's version, which is written.
 pub const VERSION: u32 = 2;
@@ -59,11 +62,13 @@ const PARTICLE_BYTES: usize = 28;
 const AGE_BYTES: usize = 4;
 const BODY_FLOATS: usize = 19;
 const BODY_BYTES: usize = 4 * (BODY_FLOATS + REACTION_WORDS as usize);
-const PARTICLES: Name = *b"PART";
-const AGES: Name = *b"AGES";
-const BODIES: Name = *b"BODY";
-/// Every section that this program knows, with its version.
-const SECTIONS: &[(Name, u16)] = &[(PARTICLES, 1), (AGES, 1), (BODIES, 1)];
+const PARTICLES: Known = Known::new(b"PART");
+const AGES: Known = Known::new(b"AGES");
+const BODIES: Known = Known::new(b"BODY");
+/// Nothing goes wrong without them.
+const DIFFUSE: Known = Known { optional: true, ..Known::new(b"FOAM") };
+/// Every section that this program knows.
+const SECTIONS: &[Known] = &[PARTICLES, AGES, BODIES, DIFFUSE];
 /// More than any state has; a device that never ends is none.
 const MOST_BYTES: u64 = 1 << 30;
 /// A header is a scene, which has at most 1 MiB, and a line.
@@ -82,6 +87,8 @@ pub struct State {
     pub particles: ParticleSet,
     /// How the bodies move.
     pub bodies: BodyMotion,
+    /// Spray, foam and bubbles.
+    pub diffuse: DiffuseSet,
 }
 
 /// Why a state cannot be saved or read.
@@ -192,13 +199,18 @@ impl State {
         bytes.extend_from_slice(&header);
         let has_ages = self.particles.velocities.iter().any(|velocity| velocity.age_s != 0.0);
         let has_bodies = !self.bodies.states.is_empty();
-        bytes.extend_from_slice(&(1 + u32::from(has_ages) + u32::from(has_bodies)).to_le_bytes());
-        sections::append(&mut bytes, PARTICLES, 1, |bytes| append_particles(bytes, &self.particles));
+        let has_diffuse = !self.diffuse.particles.is_empty();
+        let sections = 1 + [has_ages, has_bodies, has_diffuse].map(u32::from).iter().sum::<u32>();
+        bytes.extend_from_slice(&sections.to_le_bytes());
+        sections::append(&mut bytes, PARTICLES, |bytes| append_particles(bytes, &self.particles));
         if has_ages {
-            sections::append(&mut bytes, AGES, 1, |bytes| append_ages(bytes, &self.particles));
+            sections::append(&mut bytes, AGES, |bytes| append_ages(bytes, &self.particles));
         }
         if has_bodies {
-            sections::append(&mut bytes, BODIES, 1, |bytes| bodies::append(bytes, &self.bodies));
+            sections::append(&mut bytes, BODIES, |bytes| bodies::append(bytes, &self.bodies));
+        }
+        if has_diffuse {
+            sections::append(&mut bytes, DIFFUSE, |bytes| diffuse::append(bytes, &self.diffuse));
         }
         bytes.extend_from_slice(&crc32fast::hash(&bytes).to_le_bytes());
         bytes
@@ -236,7 +248,7 @@ impl State {
         let (sections, end) = match version {
             1 => {
                 let content = sections::slice(bytes, start, PARTICLE_BYTES * count).map_err(cut_at)?;
-                (vec![Section { name: PARTICLES, version: 1, optional: false, content }], start + content.len())
+                (vec![Section { name: PARTICLES.name, version: 1, optional: false, content }], start + content.len())
             }
             _ => sections::read(bytes, start).map_err(cut_at)?,
         };
@@ -253,15 +265,18 @@ impl State {
         }
         known(&sections, &header.program).map_err(damaged)?;
         // The content of a section of so many bytes a particle, if it is there.
-        let section = |name: Name, bytes_each: usize, of: (usize, &str)| {
-            let found = sections.iter().find(|section| section.name == name && is_known(section));
-            let Some(content) = found.map(|section| section.content) else { return Ok(None) };
+        let content_of = |known: Known| {
+            let found = sections.iter().find(|section| section.name == known.name && is_known(section));
+            found.map(|section| section.content)
+        };
+        let section = |known: Known, bytes_each: usize, of: (usize, &str)| {
+            let Some(content) = content_of(known) else { return Ok(None) };
             let (count, what) = of;
             let (has, needed) = (content.len(), bytes_each * count);
             if has == needed {
                 return Ok(Some(content));
             }
-            let name = name.escape_ascii();
+            let name = known.name.escape_ascii();
             Err(damaged(format!("its section {name} has {has} bytes, and its {count} {what} take {needed}")))
         };
         let content = section(PARTICLES, PARTICLE_BYTES, (count, "particles"))?
@@ -287,7 +302,8 @@ impl State {
             Some(content) => bodies::read(content).map_err(damaged)?,
             None => first,
         };
-        Ok(State { scene, time_s: header.time_s, steps: header.steps, particles, bodies })
+        let diffuse = content_of(DIFFUSE).map_or_else(|| Ok(DiffuseSet::default()), diffuse::read).map_err(damaged)?;
+        Ok(State { scene, time_s: header.time_s, steps: header.steps, particles, bodies, diffuse })
     }
 }
 
@@ -316,7 +332,7 @@ fn append_ages(bytes: &mut Vec<u8>, particles: &ParticleSet) {
 }
 
 fn is_known(section: &Section) -> bool {
-    SECTIONS.iter().any(|(known, newest)| *known == section.name && section.version <= *newest)
+    SECTIONS.iter().any(|known| known.name == section.name && section.version <= known.version)
 }
 
 /// That this program knows every section it has to know, and each is there once.

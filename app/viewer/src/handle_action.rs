@@ -196,11 +196,11 @@ impl Viewer {
 
     fn restore_state(&mut self, path: &Path) {
         match State::load(path) {
-            Ok(State { scene, time_s, steps, particles, bodies }) => {
+            Ok(state) => {
                 // The state is of the scene as the ladder had it: on top of that nothing is given up.
                 self.rung = 0;
                 (self.orbit, self.steered) = (None, false);
-                self.load(scene, Start::Particles { particles, bodies, steps, simulated_s: time_s }, "state restored");
+                self.load(state.scene.clone(), Start::State(Box::new(state)), "state restored");
             }
             Err(error) => self.messages.notify(Kind::Error, error.to_string()),
         }

@@ -15,13 +15,7 @@ impl Viewer {
     /// Goes on with what another viewer showed: the same scene, particles and rung, and who chooses that.
     pub fn resume(&mut self, state: State, rung: usize, auto: bool) {
         (self.rung, self.auto) = (rung.min(RUNGS.len() - 1), auto);
-        let start = Start::Particles {
-            particles: state.particles,
-            bodies: state.bodies,
-            steps: state.steps,
-            simulated_s: state.time_s,
-        };
-        self.load(state.scene, start, "tier");
+        self.load(state.scene.clone(), Start::State(Box::new(state)), "tier");
     }
 
     /// Takes the budget as `share` of itself from now on, above 0 to 1: a device that is about to be throttled.

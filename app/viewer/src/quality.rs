@@ -1,7 +1,6 @@
 //! Going up and down the quality ladder: by hand, or by the governor.
 
 use brooklet_fluid::Scene;
-use brooklet_fluid::state::State;
 
 use crate::device_speed::{Crowd, Work};
 use crate::governor::Standing;
@@ -51,9 +50,7 @@ impl Viewer {
         let scene = current.scene.clone();
         let start = if needs_reset(current.session.scene(), &simulated) {
             match current.read_state() {
-                Ok(State { scene, time_s, steps, particles, bodies }) => {
-                    Start::Resampled { from: Box::new(scene), particles, bodies, steps, simulated_s: time_s }
-                }
+                Ok(state) => Start::Resampled(Box::new(state)),
                 Err(error) => return self.messages.notify(Kind::Error, error.to_string()),
             }
         } else {

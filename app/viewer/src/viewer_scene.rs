@@ -2,7 +2,7 @@
 
 use brooklet_fluid::drag::Drag;
 use brooklet_fluid::drag_body::BodyDrag;
-use brooklet_fluid::particles::{ParticleSet, resample};
+use brooklet_fluid::particles::resample;
 use brooklet_fluid::scene::poses_before;
 use brooklet_fluid::state::State;
 use brooklet_fluid::{BodyMotion, FrameRequest, ParticleSource, Scene, Session, SessionRecorder};
@@ -48,30 +48,10 @@ pub enum Start {
     Scene,
     /// The scene before it, which has so many: [`ViewerScene::adopt`] brings them.
     Carry(u32),
-    /// Those of a scene of another spacing: the same fluid, on another lattice.
-    Resampled {
-        /// The scene they are of.
-        from: Box<Scene>,
-        /// Relative to the domain's lowest corner.
-        particles: ParticleSet,
-        /// How the bodies among them move.
-        bodies: BodyMotion,
-        /// Steps done.
-        steps: u64,
-        /// Simulated time, s.
-        simulated_s: f64,
-    },
-    /// These, after so many steps and so much simulated time.
-    Particles {
-        /// Relative to the domain's lowest corner.
-        particles: ParticleSet,
-        /// How the bodies among them move.
-        bodies: BodyMotion,
-        /// Steps done.
-        steps: u64,
-        /// Simulated time, s.
-        simulated_s: f64,
-    },
+    /// A state's, whose scene has another spacing: the same fluid, on another lattice.
+    Resampled(Box<State>),
+    /// A state's.
+    State(Box<State>),
 }
 
 /// What one drawn frame does.
@@ -144,16 +124,14 @@ impl ViewerScene {
     ) -> Result<ViewerScene, ViewerError> {
         let simulated = desc.rung.scene(scene);
         progress(0, 0, "filling the scene with particles");
-        let resampled = matches!(desc.start, Start::Resampled { .. });
-        let (source, steps, simulated_s, bodies) = match &desc.start {
-            Start::Scene => (ParticleSource::Scene, 0, 0.0, None),
-            Start::Carry(count) => (ParticleSource::Count(*count), 0, 0.0, None),
-            Start::Resampled { from, particles, bodies, steps, simulated_s } => {
-                (ParticleSource::Given(resample(from, particles, &simulated)), *steps, *simulated_s, Some(bodies))
+        let resampled = matches!(desc.start, Start::Resampled(_));
+        let (source, state) = match &desc.start {
+            Start::Scene => (ParticleSource::Scene, None),
+            Start::Carry(count) => (ParticleSource::Count(*count), None),
+            Start::Resampled(state) => {
+                (ParticleSource::Given(resample(&state.scene, &state.particles, &simulated)), Some(state))
             }
-            Start::Particles { particles, bodies, steps, simulated_s } => {
-                (ParticleSource::Given(particles.clone()), *steps, *simulated_s, Some(bodies))
-            }
+            Start::State(state) => (ParticleSource::Given(state.particles.clone()), Some(state)),
         };
         let view =
             View { camera: desc.camera, size_px: desc.rung.picture_px(desc.window_px), ..View::of_scene(&simulated) };
@@ -163,7 +141,9 @@ impl ViewerScene {
             left_out::list(&simulated, gpu.tier(), &planned, &left_out::Recorded::default()).unwrap_or_default();
         let ScenePlan { session: mut planned, passes, .. } = planned;
         let passes = passes.ok_or(ViewerError::NoPicture)?;
-        planned.start_at(steps, simulated_s, bodies.unwrap_or(&BodyMotion::default()));
+        if let Some(state) = state {
+            planned.start_at(state);
+        }
         planned.plan = desc.modules.put_into(planned.plan).map_err(ViewerError::Shader)?;
         let mut session = Session::start_with_progress(gpu, planned, progress)?;
         if resampled {
@@ -340,8 +320,7 @@ impl ViewerScene {
         if simulated.slot_capacity().is_none_or(|wanted| wanted == slots) {
             return Ok(Start::Carry(slots));
         }
-        let State { particles, bodies, steps, time_s, .. } = self.read_state()?;
-        Ok(Start::Particles { particles, bodies, steps, simulated_s: time_s })
+        Ok(Start::State(Box::new(self.read_state()?)))
     }
 
     /// Waits, and copies the running scene to the host.
@@ -349,13 +328,7 @@ impl ViewerScene {
     /// # Errors
     /// If the device is lost.
     pub fn read_state(&mut self) -> Result<State, ViewerError> {
-        Ok(State {
-            scene: self.session.scene().clone(),
-            time_s: self.session.simulated_s(),
-            steps: self.session.steps(),
-            particles: self.session.read_particles()?,
-            bodies: self.session.read_bodies()?,
-        })
+        Ok(self.session.read_state()?)
     }
 }
 

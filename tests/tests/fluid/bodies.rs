@@ -175,19 +175,13 @@ fn a_saved_state_goes_on_bit_for_bit() {
     let scene = floating(FLAT_BOX, 400.0, "pbf", 0.025, SHALLOW_M).with_setting("solver.deterministic=true").unwrap();
     let mut session = Session::new(&gpu(), &scene).unwrap();
     (0..6).for_each(|_| session.step().unwrap());
-    let saved = State {
-        scene: scene.clone(),
-        steps: session.steps(),
-        time_s: session.simulated_s(),
-        particles: session.read_particles().unwrap(),
-        bodies: session.read_bodies().unwrap(),
-    };
+    let saved = session.read_state().unwrap();
     let bytes = saved.to_bytes();
     let read = State::from_bytes(&bytes, "test").unwrap();
     assert_eq!(read.bodies, saved.bodies);
-    let recorder = SessionRecorder::new(&read.scene, ParticleSource::Given(read.particles));
+    let recorder = SessionRecorder::new(&read.scene, ParticleSource::Given(read.particles.clone()));
     let mut planned = recorder.sweep().unwrap();
-    planned.start_at(read.steps, read.time_s, &read.bodies);
+    planned.start_at(&read);
     let mut resumed = Session::start(&gpu(), planned).unwrap();
     for _ in 0..6 {
         session.step().unwrap();

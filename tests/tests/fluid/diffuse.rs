@@ -2,10 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use brooklet_fluid::particles::ParticleSet;
+use brooklet_fluid::diffuse::DiffuseSet;
+use brooklet_fluid::particles::sample_lattice;
+use brooklet_fluid::state::State;
 use brooklet_fluid::{FrameRequest, ParticleSource, Scene, Session, SessionRecorder};
 use brooklet_gpu::{Plan, Resources};
 use brooklet_kernels::{Counters, DiffuseParticle, DiffuseState};
+use brooklet_tests::states::{state_of, with_section};
 use brooklet_tests::{gpu_of_long_run, small};
 
 /// A dam breaks over a wet bed.
@@ -147,22 +150,72 @@ fn runs_repeat_bit_for_bit_where_the_scene_is_deterministic() {
     assert!(small() || first != run(&["diffuse.wave_crest_per_s=150"]), "another setting is another run");
 }
 
-/// They are not part of a saved state: they come anew, of the same fluid.
+/// Where they stand, in use and not, and the fluid.
+fn bits(session: &mut Session) -> (Vec<u8>, DiffuseState, Vec<u8>) {
+    let (particles, state) = slots(session);
+    let fluid = session.read_particles().unwrap();
+    (bytemuck::cast_slice(&particles).to_vec(), state, bytemuck::cast_slice(&fluid.positions).to_vec())
+}
+
 #[test]
-fn a_run_that_goes_on_from_a_state_begins_without_any() {
+fn a_run_that_goes_on_from_a_state_has_those_that_there_were() {
+    // Room for all, and a ring that has come round.
+    for settings in [&[][..], &["diffuse.max_particles=100"]] {
+        let scene = scene(WAVE, settings);
+        let mut whole = session(&scene);
+        run(&mut whole, steps(100));
+        let saved = whole.read_state().unwrap();
+        let is_full = saved.diffuse.particles.len() == 100;
+        assert!(small() || is_full != settings.is_empty(), "{}", saved.diffuse.particles.len());
+        let read = State::from_bytes(&saved.to_bytes(), "test").unwrap();
+        assert_eq!(read.diffuse, saved.diffuse);
+        let recorder = SessionRecorder::new(&read.scene, ParticleSource::Given(read.particles.clone()));
+        let mut planned = recorder.sweep().unwrap();
+        planned.start_at(&read);
+        let mut again = Session::start(&gpu_of_long_run(&scene), planned).unwrap();
+        assert!(bits(&mut again) == bits(&mut whole), "those that there were");
+        assert_eq!(run(&mut again, 30), run(&mut whole, 30));
+        assert!(bits(&mut again) == bits(&mut whole), "and they go on alike");
+        // The comparator: a run without any does not, though its fluid does, which does not know of them.
+        planned = SessionRecorder::new(&read.scene, ParticleSource::Given(read.particles.clone())).sweep().unwrap();
+        planned.start_at(&State { diffuse: DiffuseSet::default(), ..read });
+        let mut without = Session::start(&gpu_of_long_run(&scene), planned).unwrap();
+        run(&mut without, 30);
+        let [with, without] = [&mut again, &mut without].map(bits);
+        assert!((small() || with.0 != without.0) && with.2 == without.2);
+    }
+}
+
+#[test]
+fn what_is_wrong_with_a_saved_state_of_them_is_refused() {
     let scene = scene(WAVE, &[]);
-    let mut whole = session(&scene);
-    run(&mut whole, steps(100));
-    let state: ParticleSet = whole.read_particles().unwrap();
-    let mut again = session(&scene);
-    again.write_particles(&state);
-    assert_eq!(slots(&mut again).1.instance_count, 0);
-    let count = run(&mut again, 30);
-    assert!(small() || count.spawned > 10, "the fluid spawns on: {count:?}");
-    run(&mut whole, 30);
-    let bits = |set: &ParticleSet| bytemuck::cast_slice::<_, u8>(&set.positions).to_vec();
-    let (expected, got) = (whole.read_particles().unwrap(), again.read_particles().unwrap());
-    assert!(bits(&expected) == bits(&got), "and does not know of them");
+    let bubble = DiffuseParticle { lifetime_s: 1.0, ..DiffuseParticle::default() };
+    let state = state_of(scene.clone(), sample_lattice(&scene), 30, 0.125);
+    let with = |diffuse: DiffuseSet| State { diffuse, ..state.clone() };
+    let read = |bytes: &[u8]| State::from_bytes(bytes, "foam").map_err(|error| error.to_string());
+    let endless = DiffuseParticle { lifetime_s: f32::INFINITY, ..bubble };
+    let saved = with(DiffuseSet { particles: vec![bubble, endless], next_slot: 2 });
+    let found = read(&saved.to_bytes()).unwrap().diffuse;
+    assert_eq!(found.particles, [bubble, DiffuseParticle::default()], "what is not finite is an empty slot");
+    let content = |next: u32, lifetime_s: f32| {
+        let numbers = [0.0, 0.0, 0.0, lifetime_s, 0.0, 0.0, 0.0, 0.0];
+        [next.to_le_bytes().to_vec(), numbers.iter().flat_map(|x| x.to_le_bytes()).collect()].concat()
+    };
+    let plain = state.to_bytes();
+    let file = |content: &[u8]| with_section(&plain, b"FOAM", 1, 1, content);
+    assert_eq!(read(&file(&content(1, 1.0))).unwrap().diffuse.particles, [bubble]);
+    for (content, words) in [
+        (content(2, 1.0), "its next diffuse particle's slot is 2; at most 1 are allowed"),
+        (content(0, f32::NAN), "diffuse particle 0 is [0.0, 0.0, 0.0, NaN, 0.0, 0.0, 0.0, 0.0]; it must be finite"),
+        (content(0, 1.0)[..35].to_vec(), "its section FOAM has 35 bytes; it must have 4 and 32 a slot"),
+        (vec![0; 3], "its section FOAM has 3 bytes"),
+        (vec![], "its section FOAM has 0 bytes"),
+    ] {
+        let message = read(&file(&content)).unwrap_err();
+        assert!(message.contains(words), "{message}");
+    }
+    // Another program's, which this one does not know: it may go on without.
+    assert!(read(&with_section(&plain, b"FOAM", 2, 1, &[])).unwrap().diffuse.particles.is_empty());
 }
 
 /// A solid through which nobody goes, and a wall of one's own.

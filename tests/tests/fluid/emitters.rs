@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use brooklet_fluid::particles::{ParticleSet, fluid_of, id_of, is_inactive, is_simulated};
 use brooklet_fluid::scene::emitters;
 use brooklet_fluid::state::State;
-use brooklet_fluid::{BodyMotion, FrameRequest, ParticleSource, Scene, Session, SessionRecorder, Stats, record};
+use brooklet_fluid::{FrameRequest, ParticleSource, Scene, Session, SessionRecorder, Stats, record};
 use brooklet_gpu::{Gpu, GpuOptions, Plan, Resources};
 use brooklet_kernels::{StepState, WarmStart};
 use brooklet_tests::compare::vector;
@@ -323,15 +323,13 @@ fn a_saved_state_goes_on_emitting() {
     let mut session = session(&scene);
     let mut count = Count::default();
     run(&mut session, 100, scene.particle_count(), &mut count);
-    let (steps, time_s) = (session.steps(), session.simulated_s());
-    let saved =
-        State { scene, steps, time_s, particles: session.read_particles().unwrap(), bodies: BodyMotion::default() };
+    let saved = session.read_state().unwrap();
     assert!(saved.particles.velocities.iter().any(|velocity| velocity.age_s < 0.0), "lifetimes");
     let read = State::from_bytes(&saved.to_bytes(), "test").unwrap();
     assert_eq!(read.particles.velocities, saved.particles.velocities);
     let begun = u64::from(step_state(&mut session).active_count);
-    let mut planned = SessionRecorder::new(&read.scene, ParticleSource::Given(read.particles)).sweep().unwrap();
-    planned.start_at(read.steps, read.time_s, &read.bodies);
+    let mut planned = SessionRecorder::new(&read.scene, ParticleSource::Given(read.particles.clone())).sweep().unwrap();
+    planned.start_at(&read);
     let mut resumed = Session::start(&gpu(), planned).unwrap();
     let (mut went_on, mut anew) = (Count::default(), Count::default());
     run(&mut session, 100, begun, &mut went_on);

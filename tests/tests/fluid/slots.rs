@@ -3,8 +3,7 @@
 use brooklet_fluid::particles::{id_of, is_inactive};
 use brooklet_fluid::state::State;
 use brooklet_fluid::{
-    BodyMotion, DrainBox, FrameRequest, ParticleBlock, ParticleSource, Scene, Session, SessionRecorder, SessionReport,
-    visit_slots,
+    DrainBox, FrameRequest, ParticleBlock, ParticleSource, Scene, Session, SessionRecorder, SessionReport, visit_slots,
 };
 use brooklet_kernels::{Position, StepState, Velocity};
 use brooklet_tests::small;
@@ -210,22 +209,16 @@ fn a_saved_state_has_its_inactive_slots() {
     let mut session = session(&scene);
     let all = changes(6, 30);
     all.iter().for_each(|change| run(&mut session, change));
-    let (steps, time_s) = (session.steps(), session.simulated_s());
-    let saved = State {
-        scene: scene.clone(),
-        steps,
-        time_s,
-        particles: session.read_particles().unwrap(),
-        bodies: BodyMotion::default(),
-    };
+    let saved = session.read_state().unwrap();
     let read = State::from_bytes(&saved.to_bytes(), "test").unwrap();
     assert_eq!(read.scene.capacity, Some(400));
 
-    let recorder = SessionRecorder::new(&read.scene, ParticleSource::Given(read.particles)).with_slot_changes(MOST);
+    let recorder =
+        SessionRecorder::new(&read.scene, ParticleSource::Given(read.particles.clone())).with_slot_changes(MOST);
     let mut planned = recorder.sweep().unwrap();
-    planned.start_at(read.steps, read.time_s, &read.bodies);
+    planned.start_at(&read);
     let mut resumed = Session::start(&gpu(), planned).unwrap();
-    assert_eq!(state(&mut resumed), StepState { dt_s: 0.0, time_lost_s: 0.0, ..state_after_sort(&mut session) });
+    assert_eq!(state(&mut resumed), StepState { dt_s: 0.0, ..state_after_sort(&mut session) });
     for change in changes(7, 30) {
         run(&mut session, &change);
         run(&mut resumed, &change);
@@ -238,5 +231,5 @@ fn a_saved_state_has_its_inactive_slots() {
 /// The session's state, had it begun where its last sort left it.
 fn state_after_sort(session: &mut Session) -> StepState {
     let last = state(session);
-    StepState { dt_s: last.dt_s, time_s: last.time_s, ..visit_slots(last.active_count) }
+    StepState { dt_s: last.dt_s, time_s: last.time_s, time_lost_s: last.time_lost_s, ..visit_slots(last.active_count) }
 }

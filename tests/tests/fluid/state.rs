@@ -2,9 +2,9 @@
 
 use brooklet_fluid::particles::{ParticleSet, sample_lattice};
 use brooklet_fluid::state::{State, StateError};
-use brooklet_fluid::{BodyMotion, Scene, Session};
+use brooklet_fluid::{Scene, Session};
 use brooklet_kernels::QUARANTINED;
-use brooklet_tests::states::{OLD_SCENE, of_version, patched, sections_at, version_1, with_section};
+use brooklet_tests::states::{OLD_SCENE, of_version, patched, sections_at, state_of, version_1, with_section};
 use brooklet_tests::{gpu, rng};
 use rand::{Rng, RngExt};
 
@@ -15,7 +15,8 @@ fn scene(settings: &[&str]) -> Scene {
 
 fn state() -> State {
     let scene = scene(&["fluid.0.velocity_m_s=[0.25,-1,0.5]"]);
-    State { particles: sample_lattice(&scene), scene, time_s: 0.125, steps: 30, bodies: BodyMotion::default() }
+    let particles = sample_lattice(&scene);
+    state_of(scene, particles, 30, 0.125)
 }
 
 fn bits(particles: &ParticleSet) -> (&[u8], &[u8]) {
@@ -49,14 +50,7 @@ fn going_on_from_a_saved_state_is_going_on() {
         session.read_particles().unwrap()
     };
     let particles = run(&mut session);
-    let bytes = State {
-        scene: scene.clone(),
-        time_s: 12.0 * scene.solver.dt_s,
-        steps: 12,
-        particles,
-        bodies: BodyMotion::default(),
-    }
-    .to_bytes();
+    let bytes = state_of(scene.clone(), particles, 12, 12.0 * scene.solver.dt_s).to_bytes();
     let expected = run(&mut session);
 
     let restored = State::from_bytes(&bytes, "restored").unwrap();

@@ -2,11 +2,10 @@
 
 use brooklet_fluid::particles::{ParticleSet, resample};
 use brooklet_fluid::state::State;
-use brooklet_fluid::{
-    BodyMotion, DrainBox, FrameRequest, ParticleBlock, ParticleSource, Scene, Session, SessionRecorder,
-};
+use brooklet_fluid::{DrainBox, FrameRequest, ParticleBlock, ParticleSource, Scene, Session, SessionRecorder};
 use brooklet_kernels::WarmStart;
 use brooklet_tests::gpu;
+use brooklet_tests::states::state_of;
 
 const COLUMN: &str = "
 spacing_m = 0.05
@@ -90,13 +89,7 @@ fn a_saved_state_and_a_resampled_one_begin_cold() {
     let warm = scene(&[WARM, COARSE]);
     let (finer, cold) = (warm.with_setting("spacing_m=0.04").unwrap(), scene(&["solver.pbf.warm_start=0", COARSE]));
     let particles = stood(&[WARM, COARSE]).read_particles().unwrap();
-    let saved = State {
-        scene: warm.clone(),
-        steps: 20,
-        time_s: 0.0,
-        particles: particles.clone(),
-        bodies: BodyMotion::default(),
-    };
+    let saved = state_of(warm.clone(), particles.clone(), 20, 0.0);
     let read = State::from_bytes(&saved.to_bytes(), "test").unwrap();
     let resampled = resample(&warm, &particles, &finer);
     let finer_cold = finer.with_setting("solver.pbf.warm_start=0").unwrap();

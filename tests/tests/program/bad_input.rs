@@ -3,11 +3,10 @@
 
 use std::path::Path;
 
+use brooklet_fluid::Scene;
 use brooklet_fluid::particles::sample_lattice;
-use brooklet_fluid::state::State;
-use brooklet_fluid::{BodyMotion, Scene};
 use brooklet_tests::program::{Ended, SCENE, Workshop, without_fluid};
-use brooklet_tests::states::{OLD_SCENE, of_version, version_1, with_section};
+use brooklet_tests::states::{OLD_SCENE, of_version, state_of, version_1, with_section};
 
 /// The run of a bad input must end so, and leave the folder as it was.
 pub fn assert_refused(workshop: &Workshop, arguments: &[&str], words: &[&str]) {
@@ -317,8 +316,8 @@ fn what_is_unusual_but_right_runs() {
 fn saved_states_that_cannot_be_gone_on_with() {
     let workshop = Workshop::new();
     let scene = Scene::load("dam-break", &["spacing_m=0.08".into()]).unwrap();
-    let state =
-        State { particles: sample_lattice(&scene), scene, time_s: 0.125, steps: 30, bodies: BodyMotion::default() };
+    let particles = sample_lattice(&scene);
+    let state = state_of(scene, particles, 30, 0.125);
     let good = state.to_bytes();
     let flat = version_1(&state, &OLD_SCENE.replace("iterations = 7", "iterations = -7"));
     for (name, bytes, words) in [

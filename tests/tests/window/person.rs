@@ -10,9 +10,9 @@ use crate::support::User;
 use crate::support::dropping::drop_file;
 use crate::support::screen::{F1, LEFT, RIGHT, SPACE, WHEEL_UP};
 use brooklet_capture::Capture;
-use brooklet_fluid::{BodyMotion, Scene, particles::sample_lattice, state::State};
+use brooklet_fluid::{Scene, particles::sample_lattice};
 use brooklet_tests::program::Workshop;
-use brooklet_tests::states::{OLD_SCENE, version_1};
+use brooklet_tests::states::{OLD_SCENE, state_of, version_1};
 
 /// A pool of some 100 particles: a software driver draws some frames of it a second.
 const POOL: &[&str] =
@@ -206,8 +206,8 @@ fn a_lost_device_and_a_lost_surface_cost_the_state_alone() {
 fn a_saved_state_of_the_version_before_goes_on_from_its_step() {
     let shop = Workshop::new();
     let scene = Scene::load("dam-break", &["spacing_m=0.08".into()]).unwrap();
-    let state =
-        State { particles: sample_lattice(&scene), scene, time_s: 125.0, steps: 30_000, bodies: BodyMotion::default() };
+    let particles = sample_lattice(&scene);
+    let state = state_of(scene, particles, 30_000, 125.0);
     std::fs::write(shop.path("pool.brooklet"), version_1(&state, OLD_SCENE)).unwrap();
     let mut user = User::open(&mut view(&shop, &["pool.brooklet"]), shop.path("").as_path());
     user.wait("the state", |user| (number(user, "steps") > 30_000.0).then_some(()));

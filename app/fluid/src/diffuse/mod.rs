@@ -6,6 +6,7 @@
 //! a scan of what each fluid particle spawns gives everyone a slot, so that a deterministic scene stays so. Nothing is read back, and
 //! nothing of it is in the plan of a scene without `[diffuse]`.
 
+mod set;
 pub(crate) mod slots;
 
 use std::mem::offset_of;
@@ -21,6 +22,7 @@ use crate::particles::buffers::Particles;
 use crate::scene::{DiffuseSettings, Scene};
 use crate::step_context::StepContext;
 
+pub use set::DiffuseSet;
 pub use slots::DiffuseSlots;
 
 /// The diffuse particles of a scene.

@@ -9,7 +9,7 @@ use toml::{Table, Value};
 use super::fields::FIELDS;
 use super::paths::value_at;
 use super::sph::SUPPORT_RATIO;
-use super::{Method, Scene, SceneError, explain, methods, moved, settings, shipped};
+use super::{Method, Scene, SceneError, auto_step, explain, methods, moved, settings, shipped};
 
 /// The longest text that is read as a scene. A device that never ends, or a video, is none.
 const MOST_BYTES: u64 = 1 << 20;
@@ -84,6 +84,7 @@ impl Scene {
         let mut table = table.clone();
         moved::refuse(&table, text, source_name)?;
         let from_text = !moved::settle_packing(&mut table, text, source_name)? && from_text;
+        let from_text = !auto_step::settle(&mut table, text, source_name)? && from_text;
         methods::refuse_foreign(&table, text, source_name, FIELDS)?;
         let mut scene: Scene = serde_path_to_error::deserialize(Value::Table(table.clone()))
             .map_err(|error| explain::mismatch(&error, &table, text, source_name, from_text))?;

@@ -1,6 +1,7 @@
 //! The scene: what a TOML file says, with defaults for everything optional. SI units throughout,
 //! y up. Camera and picture settings live here too and are read by whoever needs them.
 
+mod auto_step;
 mod bodies;
 mod change;
 mod check;

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::field::{Field, Kind, Limits};
 use super::fields::FIELDS;
-use super::{Method, Scene};
+use super::{Method, Scene, auto_step};
 
 /// The JSON Schema (draft 7) of a scene file, as text.
 pub fn schema() -> String {
@@ -20,6 +20,9 @@ pub fn schema() -> String {
         if let Some(part) = part_of(&mut schema, field.path) {
             limit(part, &field.kind);
         }
+    }
+    if let Some(step) = part_of(&mut schema, auto_step::DT) {
+        auto_step::describe(step);
     }
     if let Some(fluid) = part_of(&mut schema, "fluid.*") {
         fluid["oneOf"] = json!([{ "required": ["block"] }, { "required": ["sphere"] }, { "required": ["cylinder"] }]);

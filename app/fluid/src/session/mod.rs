@@ -3,6 +3,7 @@
 mod bodies;
 mod plan;
 mod relax;
+mod state;
 
 pub use plan::{ParticleSource, SessionPlan, SessionRecorder};
 use relax::run_relaxation;
@@ -153,6 +154,7 @@ impl Session {
             scene,
             mut particles,
             bodies,
+            diffuse,
             drag,
             drag_body,
             slot_changes,
@@ -196,6 +198,7 @@ impl Session {
         }
         // Those clear them.
         session.write_emitter_states();
+        session.write_diffuse(&diffuse);
         Ok(session)
     }
 

@@ -3,6 +3,8 @@
 use brooklet_gpu::{Plan, PlanError, Recording, RecordingId, ResourceId, Resources, Tier};
 
 use crate::body_motion::BodyMotion;
+use crate::diffuse::DiffuseSet;
+use crate::state::State;
 
 use super::TimeBase;
 use super::relax::plan_relaxation;
@@ -154,6 +156,7 @@ impl SessionRecorder {
             plan: Plan::sweep(self.resources, recordings, &self.wanted)?,
             recorded: self.recorded,
             bodies: BodyMotion::first(&self.scene),
+            diffuse: DiffuseSet::default(),
             scene: self.scene,
             particles: self.particles,
             drag: self.drag,
@@ -185,6 +188,7 @@ pub struct SessionPlan {
     pub scene: Scene,
     pub(super) particles: Option<ParticleSet>,
     pub(super) bodies: BodyMotion,
+    pub(super) diffuse: DiffuseSet,
     pub(super) drag: Option<DragPass>,
     pub(super) drag_body: Option<BodyDragPass>,
     pub(super) slot_changes: Option<SlotChanges>,
@@ -196,12 +200,14 @@ pub struct SessionPlan {
 }
 
 impl SessionPlan {
-    /// Begins as if `steps` steps had been done, in `simulated_s`, with bodies as they then were: of a saved state.
-    pub fn start_at(&mut self, steps: u64, simulated_s: f64, bodies: &BodyMotion) {
-        self.start = TimeBase { steps, simulated_s };
-        if bodies.states.len() == self.bodies.states.len() {
-            self.bodies = bodies.clone();
+    /// Begins at a state's time and steps, with its bodies, if there are as many, its spray, foam and bubbles; its particles are
+    /// the recorder's source.
+    pub fn start_at(&mut self, state: &State) {
+        self.start = TimeBase { steps: state.steps, simulated_s: state.time_s };
+        if state.bodies.states.len() == self.bodies.states.len() {
+            self.bodies = state.bodies.clone();
         }
+        self.diffuse = state.diffuse.clone();
     }
 
     /// Number of slots: of particles, where a scene says no capacity.

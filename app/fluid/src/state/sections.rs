@@ -8,6 +8,21 @@ const OPTIONAL: u16 = 1;
 /// Name, version, flags, length.
 const HEAD_BYTES: usize = 16;
 
+/// A section that this program writes.
+#[derive(Clone, Copy)]
+pub(super) struct Known {
+    pub name: Name,
+    /// The newest that is read.
+    pub version: u16,
+    pub optional: bool,
+}
+
+impl Known {
+    pub const fn new(name: &Name) -> Self {
+        Self { name: *name, version: 1, optional: false }
+    }
+}
+
 pub(super) struct Section<'a> {
     pub name: Name,
     pub version: u16,
@@ -21,10 +36,11 @@ pub(super) struct Cut {
 }
 
 /// Appends a section, whose content `write` appends.
-pub(super) fn append(bytes: &mut Vec<u8>, name: Name, version: u16, write: impl FnOnce(&mut Vec<u8>)) {
-    bytes.extend_from_slice(&name);
-    bytes.extend_from_slice(&version.to_le_bytes());
-    bytes.extend_from_slice(&0u16.to_le_bytes());
+pub(super) fn append(bytes: &mut Vec<u8>, known: Known, write: impl FnOnce(&mut Vec<u8>)) {
+    let flags = if known.optional { OPTIONAL } else { 0 };
+    bytes.extend_from_slice(&known.name);
+    bytes.extend_from_slice(&known.version.to_le_bytes());
+    bytes.extend_from_slice(&flags.to_le_bytes());
     let length_at = bytes.len();
     bytes.extend_from_slice(&[0; 8]);
     let start = bytes.len();

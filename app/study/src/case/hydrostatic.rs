@@ -20,7 +20,7 @@ pub const HYDROSTATIC: Hydrostatic = Hydrostatic { name: "hydrostatic", height_m
 pub const SHALLOW: Hydrostatic = Hydrostatic { name: "hydrostatic-shallow", height_m: 0.24, end_s: 1.0 };
 
 /// Of the deeper.
-pub const HEIGHT_M: f64 = 0.4;
+const HEIGHT_M: f64 = 0.4;
 const SPACING_M: f64 = 0.02;
 /// Of the default spacing; it shrinks with the spacing.
 const DT_S: f64 = 1.0 / 240.0;

@@ -24,7 +24,7 @@ pub use elliptical_drop::EllipticalDrop;
 pub use free_fall::FreeFall;
 pub use gauge::Gauges;
 pub(crate) use hydrostatic::bottom_compression;
-pub use hydrostatic::{HEIGHT_M as HYDROSTATIC_HEIGHT_M, HYDROSTATIC, SHALLOW};
+pub use hydrostatic::{HYDROSTATIC, SHALLOW};
 pub use sloshing::Sloshing;
 pub use square_patch::SquarePatch;
 pub use standing_wave::{STANDING_WAVE, StandingWave, VISCOUS_WAVE};

@@ -10,11 +10,11 @@ use crate::{Figure, Outcome, Store, Task};
 
 const SIZE_PX: (u32, u32) = (680, 380);
 
-/// Spacing and error of each f64 run of a case by a solver.
-fn order(method: &Method, case: &str, error: &str, quick: bool, store: &Store) -> Vec<(f64, f64)> {
-    let tasks = order_tasks(quick).into_iter().filter(|(of, task)| of.name == method.name && task.case == case);
+/// Spacing and error of each f64 run, among `tasks`, of a case by a solver.
+fn order(tasks: &[(&Method, Task)], method: &Method, case: &str, error: &str, store: &Store) -> Vec<(f64, f64)> {
+    let own = tasks.iter().filter(|(of, task)| of.name == method.name && task.case == case);
     let point = |outcome: &Outcome| Some((outcome.figure("spacing")?.value?, outcome.figure(error)?.value?.abs()));
-    tasks.filter_map(|(_, task)| point(store.get(&task)?)).collect()
+    own.filter_map(|(_, task)| point(store.get(task)?)).collect()
 }
 
 /// Slope of log error over log spacing: least squares. None below two points.
@@ -30,11 +30,12 @@ pub fn order_of(points: &[(f64, f64)]) -> Option<f64> {
 }
 
 fn order_plot(quick: bool, store: &Store) -> Plot {
+    let tasks = order_tasks(quick);
     let mut lines = Vec::new();
     for (&(case, error, _), color) in ORDER_CASES.iter().zip(PALETTE) {
         let mut coarsest: Option<Vec<(f64, f64)>> = None;
         for method in METHODS {
-            let points = order(method, case.name(), error, quick, store);
+            let points = order(&tasks, method, case.name(), error, store);
             let Some(&(x, y)) = points.first() else { continue };
             let slope = order_of(&points).map_or(String::new(), |order| format!(" ({order:.2})"));
             // A legend is narrow: a case by its last word.

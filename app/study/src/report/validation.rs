@@ -12,8 +12,11 @@ use crate::{Outcome, Series, Store, Task, Verdict, validation};
 const OF_EVERY_RUN: [&str; 2] = ["compression", "density error"];
 
 fn found(quick: bool, store: &Store) -> Vec<(&'static Method, Task, &Outcome)> {
-    let tasks = validation::tasks(quick).into_iter();
-    tasks.filter_map(|(method, task)| Some((method, task.clone(), store.get(&task)?))).collect()
+    let of = |(method, task): (&'static Method, Task)| {
+        let outcome = store.get(&task)?;
+        Some((method, task, outcome))
+    };
+    validation::tasks(quick).into_iter().filter_map(of).collect()
 }
 
 /// A course of one case, as each solver has it.

@@ -4,7 +4,7 @@
 use brooklet_fluid::spectrum::lambda_max;
 
 use super::MAP_PART;
-use crate::case::{Case, HYDROSTATIC, HYDROSTATIC_HEIGHT_M, SHALLOW, case};
+use crate::case::{Case, HYDROSTATIC, SHALLOW, case};
 use crate::error::{run_case, task};
 use crate::session::{Session, StudyError};
 use crate::{Outcome, State, Store, Task};
@@ -111,9 +111,7 @@ impl Map {
             let outcome = store.get(&task)?;
             let name = if self == Self::Relaxation { "kinetic energy" } else { "compression p99" };
             let theory = match self {
-                Self::Compression => outcome.figure("law's compression")?.value?,
-                // p = k (rho - rho0) at the floor, of what did not hold as well.
-                Self::Stiffness => 9.81 * HYDROSTATIC_HEIGHT_M / x,
+                Self::Compression | Self::Stiffness => outcome.figure("law's compression")?.value?,
                 Self::Tolerance => x,
                 Self::Relaxation => 2.0 / lambda_max(3, x, 0.01),
             };

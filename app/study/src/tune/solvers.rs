@@ -81,7 +81,7 @@ const fn known(method: &'static str, error: f64, time: f64) -> Known {
 }
 
 /// Error against time as `tune` measures both, on the dam break of 1,872 particles (spacing .05 m, .5 s) on lavapipe,
-/// two CPU cores shared with others: `brooklet tune dam-break --set spacing_m=0.05 --max-error 0.0005 --methods NAME`.
+/// two quiet CPU cores: `brooklet tune dam-break --set spacing_m=0.05 --max-error 0.0005 --methods NAME`.
 const TABLE: &[Known] = &[
     known("pbf", 0.0111, 0.75),
     known("pbf", 0.0048, 0.8),
@@ -89,10 +89,10 @@ const TABLE: &[Known] = &[
     known("pbf", 0.0012, 1.15),
     known("pbf", 0.00077, 2.0),
     known("pbf", 0.00018, 3.5),
-    known("sph", 0.0218, 3.6),
-    known("sph", 0.0064, 7.5),
-    known("sph", 0.0017, 13.0),
-    known("sph", 0.00045, 25.0),
+    known("sph", 0.0269, 2.3),
+    known("sph", 0.0065, 3.8),
+    known("sph", 0.0017, 5.8),
+    known("sph", 0.00045, 10.3),
     known("dfsph", 0.0103, 1.25),
     known("dfsph", 0.0052, 4.4),
     known("dfsph", 0.0039, 4.8),
