@@ -13,7 +13,7 @@ use brooklet_kernels::{
 };
 use brooklet_reference::boundary::BoundarySample;
 use brooklet_reference::boundary::solids::contact::SolidSample;
-use brooklet_reference::solver::sph::compute_density::{Terms, pressure_of};
+use brooklet_reference::solver::sph::compute_density::{Terms, completed, pressure_of};
 use glam::DVec3;
 use rand::RngExt;
 
@@ -46,9 +46,12 @@ fn samples(pairs: &Pairs, i: usize) -> (BoundarySample, SolidSample) {
 pub(crate) fn add_solid_density_matches_its_twin(device: &Device) {
     let mut rng = rng(197);
     let mut worst = device.worst(AddSolidDensity::STAGE, TOLERANCE);
-    let params = params();
-    let (terms, stiffness) = (Terms::of(&params), f64::from(params.stiffness_m2_s2));
     for surface_tension in [false, true] {
+        let params = match surface_tension {
+            true => SphParams { surface_linear: -0.05, surface_square: 0.25, most_normal: 2.4, ..params() },
+            false => params(),
+        };
+        let (terms, stiffness) = (Terms::of(&params), f64::from(params.stiffness_m2_s2));
         for size in sizes(device, AddSolidDensity::GROUP_SIZE[0] as usize) {
             let mut pairs = pairs(&mut rng, size);
             pairs.case.positions.iter_mut().enumerate().for_each(|(i, at)| at.tag |= out_of_part(i));
@@ -84,6 +87,7 @@ pub(crate) fn add_solid_density_matches_its_twin(device: &Device) {
                     step_state: state.uniform(),
                     step_params: step.uniform(),
                     density_walls: walls.uniform(),
+                    tension_walls: surface_tension.then(|| walls.uniform()),
                     sph: sph.uniform(),
                 },
                 size,
@@ -101,14 +105,15 @@ pub(crate) fn add_solid_density_matches_its_twin(device: &Device) {
                 }
                 let (walls, solids) = samples(&pairs, i);
                 let (density, gradient) = solids.with_walls(&walls);
+                let normal = DVec3::new(0.5, -1.0, 2.0) + gradient - walls.gradient;
                 let ratio = before + density - walls.density;
+                let ratio = if surface_tension { completed(ratio, normal, &terms) } else { ratio };
                 let pressure = |ratio: f64| pressure_of(ratio, &terms) / ratio.powi(2);
                 // A power of a density: as many times as uncertain as the exponent.
                 worst.check(got.pressure_m2_s2, pressure(ratio), 3.0 * stiffness).or_raise();
                 let mut wrong = Worst::new(AddSolidDensity::STAGE, TOLERANCE);
                 refused |= wrong.check(got.pressure_m2_s2, pressure(1.005 * ratio), 3.0 * stiffness).is_err();
                 if surface_tension {
-                    let normal = DVec3::new(0.5, -1.0, 2.0) + gradient - walls.gradient;
                     worst.check3(both[i].surface.normal, normal, 1.0).or_raise();
                     worst.check(both[i].surface.length, normal.length(), 1.0).or_raise();
                 }

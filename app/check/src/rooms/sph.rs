@@ -69,8 +69,18 @@ fn settings() -> Vec<Settings> {
 
 impl Settings {
     fn params(&self) -> SphParams {
-        let tension_m3_s2 = if self.tension { 2.0e-3 } else { 0.0 };
-        SphParams { tension_m3_s2, end_kick: 0.5, ..sph::params(&self.scene) }
+        let params = SphParams { end_kick: 0.5, ..sph::params(&self.scene) };
+        match self.tension {
+            // Of a plane surface's order.
+            true => SphParams {
+                tension_m3_s2: 2.0e-3,
+                surface_linear: -0.05,
+                surface_square: 0.25,
+                most_normal: 1.3,
+                ..params
+            },
+            false => params,
+        }
     }
 
     /// All sizes with Wendland's kernels. Others differ in what a pair computes alone, and that in f32 whatever the
@@ -112,6 +122,7 @@ fn run_density(
     let mut both = bench.output("velocity_pressure_normals", count);
     let step_params = bench.uniform("step_params", case.step_params());
     let density_walls = bench.uniform("density_walls", sph::density_walls(&settings.scene));
+    let tension_walls = bench.uniform("tension_walls", sph::tension_walls(&settings.scene));
     let kernels = bench.uniform("kernels", sph::sph_kernels(&settings.scene));
     let params = bench.uniform("sph", settings.params());
     let state = bench.uniform("step_state", case.step_state());
@@ -135,6 +146,7 @@ fn run_density(
             step_state: state.uniform(),
             step_params: step_params.uniform(),
             density_walls: walls.then(|| density_walls.uniform()),
+            tension_walls: (walls && settings.tension).then(|| tension_walls.uniform()),
             kernels: kernels.uniform(),
             sph: params.uniform(),
         },
@@ -157,13 +169,14 @@ fn run_density(
 
 fn states(case: &Case, settings: &Settings, walls: bool, at_m: &[DVec3]) -> Vec<State> {
     let size_m = vector(case.step_params().domain_size_m);
-    let density_walls = walls_of(&sph::density_walls(&settings.scene), size_m);
-    let density_walls = walls.then_some(&density_walls);
+    let [of_density, of_tension] =
+        [sph::density_walls, sph::tension_walls].map(|of| walls_of(&of(&settings.scene), size_m));
+    let [density_walls, tension_walls] = [&of_density, &of_tension].map(|of| walls.then_some(of));
     let terms = settings.terms();
     (0..case.count())
         .map(|i| {
             let list = &case.neighbours[i];
-            compute_density(i, at_m, list, &smoothing(), &settings.kernels, &terms, density_walls)
+            compute_density(i, at_m, list, &smoothing(), &settings.kernels, &terms, density_walls, tension_walls)
         })
         .collect()
 }
@@ -279,12 +292,12 @@ fn terms_m_s2(
         .iter()
         .map(|&j| {
             let offset = (at_m[i] - at_m[j]) / h_m;
-            let gradient = settings.kernels.push(offset).length();
+            let [gradient, draw] = [settings.kernels.push(offset), settings.kernels.draw(offset)].map(DVec3::length);
             let viscosity = settings.kernels.viscosity;
             let weight = viscosity.scale * viscosity.kernel.laplacian(offset.length().max(1e-3)).abs();
             (states[i].pressure_m2_s2 + states[j].pressure_m2_s2) * gradient / h_m
                 + terms.viscosity_m2_s * weight * (velocities_m_s[i] - velocities_m_s[j]).length() / (h_m * h_m)
-                + terms.tension_m3_s2 * (states[i].normal.length() + states[j].normal.length()) * 2.0 * gradient
+                + terms.tension_m3_s2 * (states[i].normal.length() + states[j].normal.length()) * 2.3 * draw
                     / (h_m * h_m)
                 + terms.separation_m2_s2 / h_m * f64::from(offset.length() < terms.separation)
         })

@@ -27,7 +27,7 @@ pub struct AccelerateVariant {
 /// The acceleration of each particle and what its velocity takes of it at once: pressure in the form that keeps momentum
 /// (Monaghan 1992), viscosity of differences of velocities (Muller, Charypar & Gross 2003, eq. 14; Morris, Fox & Zhu 1997),
 /// gravity, walls, and with SURFACE\_TENSION the divergence of the colour field's stress (Lafaurie et al. 1994; Hu & Adams
-/// 2006), which needs no curvature and keeps momentum too. A wall answers with its particle's own pressure, and with what
+/// 2006), which needs no curvature and keeps momentum too. Its kernel is poly6, which hardly pulls close pairs. A wall answers with its particle's own pressure, and with what
 /// that would grow by under gravity across it (Adami, Hu & Adams 2012), in closed form; along it pressure pushes as much more as
 /// the fluid's images beyond would (AlongWalls).
 #[derive(Debug)]
@@ -202,7 +202,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "pressure_walls", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "kernels", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -237,7 +237,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "step_params", slot: 8, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "pressure_walls", slot: 9, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "kernels", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_sph_accelerate.deflate"));
@@ -246,310 +246,310 @@ static ACCELERATE: Module = Module {
     name: "Accelerate",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14756 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 14952 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "68ac91b3331a64a576aa6f6c701d15d8ce5f46af161057e3a8ca9de5232bd2e9",
+    hash: "6ec929cc2e0d8f45532f90a2a34ea085d4906b396567bd3cdc6d4f7abd218ce2",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 14756, bytes: 14616 },
+    spirv: Spirv::Packed { pack: PACK, first: 14952, bytes: 14812 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "a26799a82b5fe47f7f72a644e29c48def5a8bb7147ca19fa650f26a8c2505dcd",
+    hash: "e6f69985264ba3fd73806426e510d0596004e79d23aa203dca605a0b024492c7",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 29372, bytes: 14696 },
+    spirv: Spirv::Packed { pack: PACK, first: 29764, bytes: 14892 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "4250c51d75361ceb85e33389b215a925c9d89e68b74dfe02e4722c5dfc2f137b",
+    hash: "f8239716c3020fe9beec12208c5ad7a1627c755e8616920594e925e75624c25c",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 44068, bytes: 16936 },
+    spirv: Spirv::Packed { pack: PACK, first: 44656, bytes: 17732 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "1fa06541991edd511bf46ab8539bbf0f433db4f4148687270dbc665dc6fb5564",
+    hash: "087603d6bc474d97611adac9f0d0c8577011556d4d69daad5315006454b394c0",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 61004, bytes: 16796 },
+    spirv: Spirv::Packed { pack: PACK, first: 62388, bytes: 17592 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0b2f31c377f5ad50d4b4428572c43570422779244c257997e88b1360df4fb7ea",
+    hash: "c55617c731a2d69ae28dc741d2b073a8d30c8b8c01db51f0bf5250bbe3ae1460",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 77800, bytes: 16876 },
+    spirv: Spirv::Packed { pack: PACK, first: 79980, bytes: 17672 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "80bbb3cefd1973d098b4b0851373bbbced4fb69e2f5bc25ef553ab63c908509a",
+    hash: "dfa2c001eb2c825e4f13e348214df724937f2629548b0c59c4085fe67bf19787",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 94676, bytes: 17604 },
+    spirv: Spirv::Packed { pack: PACK, first: 97652, bytes: 17800 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e46667eb8319edb74e57c30c8d8dbacbdc269cc49cea3595c62b17b7a8bb9930",
+    hash: "ac4897642c64e733fe126a92a30d2dfc8f0a1a67913b9985b78151798f500f51",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 112280, bytes: 17368 },
+    spirv: Spirv::Packed { pack: PACK, first: 115452, bytes: 17564 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "89459113f237cec85510975e38ecdff9b1a45b2821bbeaca967cbd70f5002ed9",
+    hash: "3b2674233d839a4760f6db8a7153dfcd81cc32a7c3d653c12d44ffe8e8cd477e",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 129648, bytes: 17368 },
+    spirv: Spirv::Packed { pack: PACK, first: 133016, bytes: 17564 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "7f95a40c6ae96ee7232ed649dbe5f93df855a81903de6c08437c6b4a8a9232fe",
+    hash: "504e61090d45bd3c7977e9a1988cd4ba094e88b54dfded6ade3236ebc8fd849e",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 147016, bytes: 19764 },
+    spirv: Spirv::Packed { pack: PACK, first: 150580, bytes: 20580 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5f5b8f51976c419c9d828c3db6a5d6282afc903da99bb8dba87f6e7901987a00",
+    hash: "0b7513981d50f1298825bdd814ce95bf41a2fbbf68ac53643b39943b891b1701",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 166780, bytes: 19528 },
+    spirv: Spirv::Packed { pack: PACK, first: 171160, bytes: 20344 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e5ee12c2d0b57c32414fe78f18f89e92481c3e280747ea635e89f7a090d5cd59",
+    hash: "1fce1de2bc481c65505d0cf19787ac9e57098599a0efa5879520c9de31f18988",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 186308, bytes: 19528 },
+    spirv: Spirv::Packed { pack: PACK, first: 191504, bytes: 20344 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "59a31d732d9652d444ee6b577b083c6e4cff8af83b4b6d6cebfaf00e11749b6f",
+    hash: "5e7e78e14b6ba307b16b80f36b9b0e561f98bd5e5dd4f356be917f388cac1e13",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
     name: "Accelerate+WALLS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 205836, bytes: 17388 },
+    spirv: Spirv::Packed { pack: PACK, first: 211848, bytes: 17584 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f7566bc0dbbda35272379e71029514c9a895693752f5ec6a1dd5f96f5521ecdf",
+    hash: "f6c7217212383d213f731042813df1d407e25a6527aedff4d182149bfcd7c230",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 223224, bytes: 17248 },
+    spirv: Spirv::Packed { pack: PACK, first: 229432, bytes: 17444 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4b8e5aeb3ddc82c811b76c69c13cfe5cfaf33871d3ed782415f4ef03ac80b94c",
+    hash: "cac3920e96948491f9b6d0b927a9a8e52a14cc2c3e1508355ca27a58f5b5c299",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 240472, bytes: 17328 },
+    spirv: Spirv::Packed { pack: PACK, first: 246876, bytes: 17524 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "156491b4cc3f027011b31fa3ecbf1e15e848f715f89b8ece2fb94131ade65faf",
+    hash: "6206d9018215f6ccb00276e1c71b7c116b2161e8721993c957c5f9391771553f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 257800, bytes: 19568 },
+    spirv: Spirv::Packed { pack: PACK, first: 264400, bytes: 20364 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "882d94ddb8b7f4c92d01f098c5cf04cbbde7fed732b681a93276a9ab40d38362",
+    hash: "bd4a58b7fd52192ce0b8d324876ef02dfb98e26818e5a930394842c51e667fa3",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 277368, bytes: 19428 },
+    spirv: Spirv::Packed { pack: PACK, first: 284764, bytes: 20224 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "4c268d0677dd2135bb0bb5f0721aef0560b7581b723d2d3ea2d0d352a03765a7",
+    hash: "49af26d37f326d128a0c841caa6bc2a3e7125560a9759db9c1f1f65e122411a9",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 296796, bytes: 19508 },
+    spirv: Spirv::Packed { pack: PACK, first: 304988, bytes: 20304 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "f1cdba59e3cc803aa69ce589bb9c0b460fa5d7d7144a83411d9a425d87ddfd69",
+    hash: "2f8fd63abcfbd8196407ffdfb155225e3115469b9d01d99f83fb12275a421871",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 316304, bytes: 20188 },
+    spirv: Spirv::Packed { pack: PACK, first: 325292, bytes: 20384 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ea3ab50e8ec6a933c5b53ccf3cbbba330f699905ee9ae67bb536d48fa1245a6e",
+    hash: "b5c3e89acd3fbb1dde883021f903c6ae4be367aaa0df176ad4d8b607babbf75c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 336492, bytes: 19952 },
+    spirv: Spirv::Packed { pack: PACK, first: 345676, bytes: 20148 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "83d3542206fa1502a3cbbe97862dc407b911e1b89f5f34534b1f24b1094c98bc",
+    hash: "eb1ac510bb925242cd80a54b3895085a467c7c068f2f96f31853f9743fc21fea",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 356444, bytes: 19952 },
+    spirv: Spirv::Packed { pack: PACK, first: 365824, bytes: 20148 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "80a8ec210a2474f65bf677752a048dcf2c78ae1fba13be73171ee12de85da555",
+    hash: "41af76750ecc3b1cf9c323168a7a06db5c8626cd311af120008d48571c286d07",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 376396, bytes: 22348 },
+    spirv: Spirv::Packed { pack: PACK, first: 385972, bytes: 23164 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "8d0df6339c5c3cab1b1af198afa903bccbf52bf7d5529779b51e6523b60911f8",
+    hash: "98111c887d0f4d0cddb359a2392585af3755dc0f06ab129d84680ef52451047c",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 398744, bytes: 22112 },
+    spirv: Spirv::Packed { pack: PACK, first: 409136, bytes: 22928 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "bfb74120c42bba37c29b394b3771cea51f2db6dc2e81f4242472129414338053",
+    hash: "995b7ba934fc85ec0cb9506858a39b921d36576dc2a459bc427763602b8c2ed1",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "Accelerate+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "Accelerate",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 420856, bytes: 22112 },
+    spirv: Spirv::Packed { pack: PACK, first: 432064, bytes: 22928 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "955e58b0ea1ed85e9a09f233dc086adb25e963721ef86924eb767e6a09c3ae19",
+    hash: "938ad89ddc0c81162dbbbb88e70a3633a6daf139964805d29ec76944cebfa88d",
 };

@@ -109,7 +109,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "pressure_walls", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "sph", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "sph", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -141,7 +141,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "step_state", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 6, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "pressure_walls", slot: 7, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "sph", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "sph", slot: 8, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_sph_add_solid_acceleration.deflate"));
@@ -150,24 +150,24 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     name: "AddSolidAcceleration",
     entry: "AddSolidAcceleration",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 11040 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 11240 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "d25eb0b35514d7aea5408776c5799795ac12fbf8fe34eb8961cb2939c4a73b63",
+    hash: "425ab558e7007d487c4262dc1e3c7586a2dd565c3994053cd3ebc6d1f0bc02bc",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     name: "AddSolidAcceleration+SURFACE_TENSION",
     entry: "AddSolidAcceleration",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 11040, bytes: 11308 },
+    spirv: Spirv::Packed { pack: PACK, first: 11240, bytes: 11508 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "4e02d91de2b16d76c52ba15a6188af8d6147c3bbb975612b2e7d32ff687cad1f",
+    hash: "3aa0b2638838bada0b011916117b28ca8e980be4cd807a3ee42e1705452f4707",
 };

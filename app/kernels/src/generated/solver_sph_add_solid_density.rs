@@ -41,6 +41,8 @@ pub struct AddSolidDensity<'a> {
     pub sph: Uniform<'a, SphParams>,
     /// `RWStructuredBuffer<VelocityPressureNormal> velocity_pressure_normals`.
     pub velocity_pressure_normals: Option<BufMut<'a, VelocityPressureNormal>>,
+    /// `ConstantBuffer<SmoothingKernelParams> tension_walls`.
+    pub tension_walls: Option<Uniform<'a, SmoothingKernelParams>>,
 }
 
 impl Kernel for AddSolidDensity<'_> {
@@ -62,6 +64,7 @@ impl Kernel for AddSolidDensity<'_> {
                 ("density_walls", Some(self.density_walls.id)),
                 ("sph", Some(self.sph.id)),
                 ("velocity_pressure_normals", self.velocity_pressure_normals.as_ref().map(|bound| bound.id)),
+                ("tension_walls", self.tension_walls.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -89,7 +92,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "density_walls", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "sph", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "sph", slot: 6, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -111,7 +114,8 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "step_state", slot: 3, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 4, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "density_walls", slot: 5, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "sph", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "tension_walls", slot: 6, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "sph", slot: 7, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_sph_add_solid_density.deflate"));
@@ -120,24 +124,24 @@ static ADD_SOLID_DENSITY: Module = Module {
     name: "AddSolidDensity",
     entry: "AddSolidDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7892 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 8092 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "acb125127db40a514300501aee3a7d185782c0b3d62ebd3563a358f145252594",
+    hash: "8129e5af6413bb1a862faa29f3cae8343025e5021c12c46af4820c62900810cf",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     name: "AddSolidDensity+SURFACE_TENSION",
     entry: "AddSolidDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 7892, bytes: 9568 },
+    spirv: Spirv::Packed { pack: PACK, first: 8092, bytes: 11824 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "af811737cdf2c7ef518e8a897de681bb0181e910c7f852dfd2414181927d787c",
+    hash: "aeac74f800a6f0abdb6e3d5f66853db332c861bf46a74628e6bf132ffd27d672",
 };

@@ -174,7 +174,7 @@ static CHOOSE_TIME_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "9052302597ac7c74c8574297990914bb15fc908688db3e8c64eaeb7bded3bea7",
+    hash: "e2a9a6ae0129b9ced1a25d283936026c12574b6bd314b7293a4c0c8d837019fe",
 };
 
 static CHOOSE_TIME_STEP_WITH_KEEPS_LISTS: Module = Module {
@@ -187,7 +187,7 @@ static CHOOSE_TIME_STEP_WITH_KEEPS_LISTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "f26149aaa2287ce6b1b208c83d525741db508a9807379b079e6a5f8abe616ac5",
+    hash: "daaca290b258a7d200fabff844f42f02ed2a46caf06788a5a4e65c5d2ffb56ad",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
@@ -200,7 +200,7 @@ static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "d892c8910d6a2bb2115fbcd2549404feea54b9758215278925dd70a3b8fa4047",
+    hash: "42537360ef495b8bc87a5639eef95c6b88f0b038d4e7ccbcb9ac9ba3d9883694",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE_WITH_KEEPS_LISTS: Module = Module {
@@ -213,5 +213,5 @@ static CHOOSE_TIME_STEP_WITH_ADAPTIVE_WITH_KEEPS_LISTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "9fb816799cef59b7af493c68aa1810d6a66abceef295d8e6aac90281e03d27cf",
+    hash: "62bbf7a70df6e438731965e18c4f56fb468d29d8229dec9b8a70befb7402c4b1",
 };

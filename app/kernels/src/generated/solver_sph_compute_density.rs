@@ -25,7 +25,8 @@ pub struct ComputeDensityVariant {
 }
 
 /// Density and pressure of each particle (Muller, Charypar & Gross 2003, eq. 3 and 12; Becker & Teschner 2007, eq. 7), and
-/// with SURFACE\_TENSION the gradient of the colour field (Muller et al., eq. 15) with the rest volume of each neighbour.
+/// with SURFACE\_TENSION the gradient of the colour field (Muller et al., eq. 15) with the rest volume of each neighbour and their
+/// poly6.
 #[derive(Debug)]
 pub struct ComputeDensity<'a> {
     /// Its variant.
@@ -58,6 +59,8 @@ pub struct ComputeDensity<'a> {
     pub velocity_pressure_normals: Option<BufMut<'a, VelocityPressureNormal>>,
     /// `ConstantBuffer<SmoothingKernelParams> density_walls`.
     pub density_walls: Option<Uniform<'a, SmoothingKernelParams>>,
+    /// `ConstantBuffer<SmoothingKernelParams> tension_walls`.
+    pub tension_walls: Option<Uniform<'a, SmoothingKernelParams>>,
 }
 
 impl Kernel for ComputeDensity<'_> {
@@ -138,6 +141,7 @@ impl Kernel for ComputeDensity<'_> {
                 ("sph", Some(self.sph.id)),
                 ("velocity_pressure_normals", self.velocity_pressure_normals.as_ref().map(|bound| bound.id)),
                 ("density_walls", self.density_walls.as_ref().map(|bound| bound.id)),
+                ("tension_walls", self.tension_walls.as_ref().map(|bound| bound.id)),
             ],
         )
     }
@@ -207,7 +211,7 @@ static BINDINGS_0: &[BindingInfo] = &[
     BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "kernels", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static BINDINGS_1: &[BindingInfo] = &[
@@ -246,7 +250,7 @@ static BINDINGS_1: &[BindingInfo] = &[
     BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "kernels", slot: 10, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "sph", slot: 11, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static BINDINGS_2: &[BindingInfo] = &[
@@ -286,7 +290,7 @@ static BINDINGS_2: &[BindingInfo] = &[
     BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "density_walls", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "kernels", slot: 11, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 12, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "sph", slot: 12, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static BINDINGS_3: &[BindingInfo] = &[
@@ -325,8 +329,9 @@ static BINDINGS_3: &[BindingInfo] = &[
     BindingInfo { name: "step_state", slot: 8, kind: BindingKind::Uniform { bytes: 48 } },
     BindingInfo { name: "step_params", slot: 9, kind: BindingKind::Uniform { bytes: 96 } },
     BindingInfo { name: "density_walls", slot: 10, kind: BindingKind::Uniform { bytes: 48 } },
-    BindingInfo { name: "kernels", slot: 11, kind: BindingKind::Uniform { bytes: 80 } },
-    BindingInfo { name: "sph", slot: 12, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "tension_walls", slot: 11, kind: BindingKind::Uniform { bytes: 48 } },
+    BindingInfo { name: "kernels", slot: 12, kind: BindingKind::Uniform { bytes: 80 } },
+    BindingInfo { name: "sph", slot: 13, kind: BindingKind::Uniform { bytes: 64 } },
 ];
 
 static PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/solver_sph_compute_density.deflate"));
@@ -335,310 +340,310 @@ static COMPUTE_DENSITY: Module = Module {
     name: "ComputeDensity",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10476 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 10672 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "c4819ffeb5bf7958ba81b63849cfb397faea44e00a988aed9c6e9d027a4f9251",
+    hash: "a5570520e35b1f9fa7ccd36b5c9674b88df7b437f62898c64d9da4f571dd6901",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 10476, bytes: 10484 },
+    spirv: Spirv::Packed { pack: PACK, first: 10672, bytes: 10680 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "597bad6ac9f1ad43c8feacb95695115c7c5f615ef7ea5a070293f6b60569725a",
+    hash: "547862fa5646103360155b26272d307ae6c1e704020d2f719b7dcbc1f7371c87",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 20960, bytes: 10420 },
+    spirv: Spirv::Packed { pack: PACK, first: 21352, bytes: 10616 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "46a129fceaf0a3e489693285611b7433ae11bb38fa247695b9ec7caa7b11fe46",
+    hash: "c972438da20c709e2c38d13674b0a93d5ad54743b8945a4381d56a53dca0f404",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 31380, bytes: 11172 },
+    spirv: Spirv::Packed { pack: PACK, first: 31968, bytes: 12016 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d6013f3f23c3630764b393f84341fd2d7edba8e37647683541b827b908aaa5cb",
+    hash: "bfc5818de6f0d2141fe5dccfed79e5a7282f6b9a0148229650f1114f8e288cd5",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 42552, bytes: 11228 },
+    spirv: Spirv::Packed { pack: PACK, first: 43984, bytes: 12024 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "25fd9f36bbed7a446f74920a01905761929f13bee3ae4bf2e69d3938d7b23a0c",
+    hash: "4c4706c154f54c419a8c6e15dcb446c03ef24922efc2950218c7589a2bb89162",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 53780, bytes: 11180 },
+    spirv: Spirv::Packed { pack: PACK, first: 56008, bytes: 11960 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "ec56085c5d6da8bf2b642398c400c91751a5f719963b9e9fad19dd1f635eaa01",
+    hash: "8294530567cb1083835e2085ce3eb4eb4c2dae72eff8d602242e1cb918b10249",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 64960, bytes: 11536 },
+    spirv: Spirv::Packed { pack: PACK, first: 67968, bytes: 11732 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "687a34bcb730704bbf891928495aa0838b71360fcbabdcb743797fbbfbec218e",
+    hash: "6a599d66b657cca4c15c009d87f45cba5edc4e753d6764edb817aaa53d527aac",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 76496, bytes: 11304 },
+    spirv: Spirv::Packed { pack: PACK, first: 79700, bytes: 11500 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4493daef8b8bfef7b34bdd8743c01af7964d6b15018da7d21ace62d24234682b",
+    hash: "35d6c014eb6241c6898e6dc021d572b6038da20cd985b9547723d4ded70e25e8",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 87800, bytes: 11304 },
+    spirv: Spirv::Packed { pack: PACK, first: 91200, bytes: 11500 },
     bindings: BINDINGS_0,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "7521fde669471331f580ed739f19f284b0388ed483378dc1d48d9be3ae9b65bd",
+    hash: "58744cec89141486e305132b27dbe571a16cf5a1a73f54bf058510cc828e8603",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 99104, bytes: 13560 },
+    spirv: Spirv::Packed { pack: PACK, first: 102700, bytes: 13076 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "0c8e09075ea864818f40b67b92f716208cca571109f4d9768be956745892c3b2",
+    hash: "71af6027929243f2189428774e8c2a6b00b459d981c78d4c26116d8429945e4a",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 112664, bytes: 13328 },
+    spirv: Spirv::Packed { pack: PACK, first: 115776, bytes: 12844 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f49d835310dabfd82af40bd41669c83540b20d591edc2093ce374205398bb3c2",
+    hash: "4cb81e1ef39b1630c5ab2f4c65bd23a2b030a7ddb6de29cdade4545100f6a869",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 125992, bytes: 13328 },
+    spirv: Spirv::Packed { pack: PACK, first: 128620, bytes: 12844 },
     bindings: BINDINGS_1,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "dddfed907ff81af57fc4fd0e084c8955fba0618be8a7b32745a883faffeb9a87",
+    hash: "707dc70a675845ed5bf4b77c337463a8560bd596cc3a151f8ed69bee317e7745",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     name: "ComputeDensity+WALLS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 139320, bytes: 12580 },
+    spirv: Spirv::Packed { pack: PACK, first: 141464, bytes: 12776 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "24bcdcaf21c7f2ac7fdafb7540d145e694c213b80ab65c43e2e3a25186588fc5",
+    hash: "8c138e33f0b8bff79c621b75a932f7ab9a9d6ec2b955bd895e8211b6456ffa3f",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 151900, bytes: 12588 },
+    spirv: Spirv::Packed { pack: PACK, first: 154240, bytes: 12784 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "464aa9c922a345b7eb64455702c5a746081ff5dda16ecc2a561319643223895c",
+    hash: "6f46401665db2b1701ac379e9415c2cd175f1a91161306a8bbb635ba16390707",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 164488, bytes: 12524 },
+    spirv: Spirv::Packed { pack: PACK, first: 167024, bytes: 12720 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "7a45498ab04b6e4b300f6d0c1ae6c99e45b80792615a90f02973bacd865a800b",
+    hash: "96d5d47c635ab6323f114f3f1833e384f86cb2fbfa66e4968928ebbff5214676",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 177012, bytes: 14048 },
+    spirv: Spirv::Packed { pack: PACK, first: 179744, bytes: 15860 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6df16e2f43760cc4f094b4c5e3bbac3adb5af890e37eb941890e1585867aeb9f",
+    hash: "979b2412983b1e75243a0296649e2df6eec76fdcf284b9784c9c670c47b65703",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 191060, bytes: 14104 },
+    spirv: Spirv::Packed { pack: PACK, first: 195604, bytes: 15868 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "e0da8ba38819a615b9b81ad1f2f4edde357b77dd63db21791e379b22f081f6e7",
+    hash: "360aa435665822b62a1861a50f7d4d67fa36674425e9fda2b8a8c41762dfab4f",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 205164, bytes: 14072 },
+    spirv: Spirv::Packed { pack: PACK, first: 211472, bytes: 15820 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "829c2df70a545f6671213e121fad6aa4412f1390c97af75c2af3408539321f7b",
+    hash: "9a6e9fb8a843aa3d2715fbd74ed8407a6fe4335ab242698027c2994541042c33",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 219236, bytes: 13624 },
+    spirv: Spirv::Packed { pack: PACK, first: 227292, bytes: 13820 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "45917e08cc82f40fbf4fd3bad71d85dd7d58319aa631d266480698aefc90deca",
+    hash: "f8beb56a93a6d2d4349c06f0ee644def39a7e294bee848e430b1982635b11594",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 232860, bytes: 13392 },
+    spirv: Spirv::Packed { pack: PACK, first: 241112, bytes: 13588 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b267c4c36b4136b7cb6888c9c20f95e7f28525c5cd90ee83b192f5c2c8cefe2e",
+    hash: "572c8ddbcd22855a52fceafbd343257310119f506cfd8df789c7beed81c5e714",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 246252, bytes: 13392 },
+    spirv: Spirv::Packed { pack: PACK, first: 254700, bytes: 13588 },
     bindings: BINDINGS_2,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b2e5aa07b9132ed598355d257f9162f82965fd5127ce1916b7f628427baf1b56",
+    hash: "b23584c867509433504790c2c85f8dafef5f0d01de69137d1a0ef47314ba0202",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 259644, bytes: 16404 },
+    spirv: Spirv::Packed { pack: PACK, first: 268288, bytes: 16920 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "ee82ab31b30d36c999a1d65515fe104e7519fb91fb5661d9e66a554a900ca0c7",
+    hash: "cfab2d273f7d54d1a4a69062cd8f5d4c5f60ce6d982bd10bb38a8ad6632409d5",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+RELAXED_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 276048, bytes: 16172 },
+    spirv: Spirv::Packed { pack: PACK, first: 285208, bytes: 16688 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "31ad90c9a0e18432586f0385a4a5eda13f0dd90500d06749b4edea6ae4112f38",
+    hash: "d04b58d4c393c81a4551a7fb541cc33f705361751b158c8c548b936a2c6844f5",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     name: "ComputeDensity+WALLS+CHOSEN_KERNELS+SURFACE_TENSION+HALF_PRECISION",
     entry: "ComputeDensity",
     stage: StageKind::Compute,
-    spirv: Spirv::Packed { pack: PACK, first: 292220, bytes: 16172 },
+    spirv: Spirv::Packed { pack: PACK, first: 301896, bytes: 16688 },
     bindings: BINDINGS_3,
     group_size: [64, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "957e95da8375565627b710aa818c2c5bb44bff4e84955f8247d879fd075f08dd",
+    hash: "11b888fc17b1e2b3076779afd944ec35eaf1500ee46c42cc11a9dfc523b80428",
 };

@@ -75,5 +75,5 @@ static FIND_FASTEST: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/find_fastest.compute",
-    hash: "3917a7581a0e8ecbbbb5f89cf2d84496864fc02d5d72afde38bc4dd74bb2122a",
+    hash: "25e2f886c29b241bb27fb844952cf26ffafceb2859a037a534efc3433ad3c829",
 };

@@ -30,10 +30,10 @@ pub struct SphKernels {
     pub viscosity_inverse: f32,
     /// `float`.
     pub viscosity_spline: f32,
+    /// of (1 - q^2)^2: -W'/q of the colour field's kernel, poly6, scaled as the pressure's
+    pub tension: f32,
     /// `float`.
     pub reserved0: f32,
-    /// `float`.
-    pub reserved1: f32,
 }
 const _: () = {
     assert!(offset_of!(SphKernels, density) == 0);
@@ -45,8 +45,8 @@ const _: () = {
     assert!(offset_of!(SphKernels, pressure_spline) == 60);
     assert!(offset_of!(SphKernels, viscosity_inverse) == 64);
     assert!(offset_of!(SphKernels, viscosity_spline) == 68);
-    assert!(offset_of!(SphKernels, reserved0) == 72);
-    assert!(offset_of!(SphKernels, reserved1) == 76);
+    assert!(offset_of!(SphKernels, tension) == 72);
+    assert!(offset_of!(SphKernels, reserved0) == 76);
     assert!(size_of::<SphKernels>() == 80);
 };
 
@@ -121,6 +121,14 @@ pub struct SphParams {
     pub end_kick: f32,
     /// 1 where solids add to the density before it becomes a pressure (add\_solid\_density.compute)
     pub defers_pressure: u32,
+    /// CompletedDensity's, of the length of the colour field's gradient
+    pub surface_linear: f32,
+    /// of its square
+    pub surface_square: f32,
+    /// of it that counts, 1/h: little more than a plane surface's
+    pub most_normal: f32,
+    /// `float`.
+    pub reserved0: f32,
     /// `float`.
     pub reserved1: f32,
 }
@@ -136,8 +144,12 @@ const _: () = {
     assert!(offset_of!(SphParams, borne_scale) == 32);
     assert!(offset_of!(SphParams, end_kick) == 36);
     assert!(offset_of!(SphParams, defers_pressure) == 40);
-    assert!(offset_of!(SphParams, reserved1) == 44);
-    assert!(size_of::<SphParams>() == 48);
+    assert!(offset_of!(SphParams, surface_linear) == 44);
+    assert!(offset_of!(SphParams, surface_square) == 48);
+    assert!(offset_of!(SphParams, most_normal) == 52);
+    assert!(offset_of!(SphParams, reserved0) == 56);
+    assert!(offset_of!(SphParams, reserved1) == 60);
+    assert!(size_of::<SphParams>() == 64);
 };
 
 /// What limits the substeps (Monaghan 1992; Morris, Fox & Zhu 1997; Brackbill, Kothe & Zemach 1992).

@@ -102,6 +102,7 @@ fn sph_of(scene: &Scene) -> Sph {
         terms: Terms::of(&sph::params(scene)),
         kicks: Kicks { before, after, end },
         density_walls: walls_of(scene, &sph::density_walls(scene)),
+        tension_walls: walls_of(scene, &sph::tension_walls(scene)),
         pressure_walls: walls_of(scene, &sph::pressure_walls(scene)),
         limits: Limits::of(&sph::limits(scene)),
         adapts: scene.adapts_substeps(),

@@ -37,4 +37,11 @@ float ViscosityWeight(float q, SphKernels kernels)
     return PairWeight(q, kernels.viscosity, kernels.viscosity_inverse, kernels.viscosity_spline);
 }
 
+// -W'/q of poly6, but for its factor: the colour field's kernel.
+float TensionWeight(float q)
+{
+    float t = saturate(1.0 - q * q);
+    return t * t;
+}
+
 #endif

@@ -16,8 +16,8 @@ struct SphKernels
     float pressure_spline;      // of s^2 / q
     float viscosity_inverse;
     float viscosity_spline;
+    float tension;              // of (1 - q^2)^2: -W'/q of the colour field's kernel, poly6, scaled as the pressure's
     float reserved0;
-    float reserved1;
 };
 
 // A particle's velocity, and its pressure over the square of its density, as pairs gather them.
@@ -55,6 +55,10 @@ struct SphParams
     float borne_scale;          // of what walls bear, so that the lattice's first layer is at rest
     float end_kick;             // KickParams::end
     uint defers_pressure;       // 1 where solids add to the density before it becomes a pressure (add_solid_density.compute)
+    float surface_linear;       // CompletedDensity's, of the length of the colour field's gradient
+    float surface_square;       // of its square
+    float most_normal;          // of it that counts, 1/h: little more than a plane surface's
+    float reserved0;
     float reserved1;
 };
 

@@ -15,4 +15,14 @@ float GatheredPressureOf(float density_ratio)
     return PressureOf(density_ratio) / (density_ratio * density_ratio);
 }
 
+#if defined(SURFACE_TENSION)
+// With what a free surface lacks of density, as the length of the colour field's gradient tells it: exact in the two outer layers
+// of a lattice. Without it nothing keeps the particles of a surface apart that its tension draws together.
+float CompletedDensity(float density_ratio, SurfaceNormal surface)
+{
+    float normal = min(surface.length, sph.most_normal);
+    return density_ratio + normal * (sph.surface_linear + normal * sph.surface_square);
+}
+#endif
+
 #endif

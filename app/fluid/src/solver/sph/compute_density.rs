@@ -41,6 +41,7 @@ pub(super) fn compute_density(
             step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
             density_walls: context.walls.then(|| sph.density_walls.uniform()),
+            tension_walls: (context.walls && surface_tension).then(|| sph.tension_walls.uniform()),
             kernels: sph.kernels.uniform(),
             sph: sph.params.uniform(),
         },

@@ -19,7 +19,7 @@ struct Shape {
 
 /// A weight of pairs: coefficients of t to t⁴, of t²/q and of s²/q.
 #[derive(Clone, Copy, Debug)]
-struct PairShape {
+pub(super) struct PairShape {
     powers: [f64; 4],
     inverse: f64,
     spline: f64,
@@ -34,7 +34,7 @@ impl Shape {
 }
 
 impl PairShape {
-    fn at(&self, q: f64) -> f64 {
+    pub(super) fn at(&self, q: f64) -> f64 {
         let (t, s) = ((1.0 - q).max(0.0), (1.0 - 2.0 * q).max(0.0));
         let [c1, c2, c3, c4] = self.powers;
         t * (c1 + t * (c2 + t * (c3 + t * c4))) + (self.inverse * t * t + self.spline * s * s) / q
@@ -77,7 +77,7 @@ fn laplacian(kernel: SmoothingKernel) -> PairShape {
 }
 
 /// Sums over a lattice's points, but for the middle one: as steps along the axes and q.
-fn sum(scene: &Scene, mut of: impl FnMut([i32; 3], f64) -> f64) -> f64 {
+pub(super) fn sum(scene: &Scene, mut of: impl FnMut([i32; 3], f64) -> f64) -> f64 {
     let mut sum = 0.0;
     for_lattice(scene.domain.dimensions, scene.solver.support_ratio, |step, q| {
         if q > 0.0 {
@@ -87,11 +87,26 @@ fn sum(scene: &Scene, mut of: impl FnMut([i32; 3], f64) -> f64) -> f64 {
     sum
 }
 
-/// A pressure's slope is its own on the lattice: Σ (-W'/q) q²/D = 1.
-fn pressure(scene: &Scene) -> PairShape {
-    let shape = slope(scene.solver.sph.pressure_kernel);
+/// A slope is its own on the lattice: Σ (-W'/q) q²/D = 1.
+fn gradient(scene: &Scene, kernel: SmoothingKernel) -> PairShape {
+    let shape = slope(kernel);
     let d = f64::from(scene.domain.dimensions);
     shape.scaled(1.0 / sum(scene, |_, q| shape.at(q) * q * q / d))
+}
+
+/// The colour field's kernel.
+pub(super) const TENSION_KERNEL: SmoothingKernel = SmoothingKernel::Poly6;
+
+/// Of the colour field's kernel.
+pub(super) fn tension(scene: &Scene) -> PairShape {
+    gradient(scene, TENSION_KERNEL)
+}
+
+/// W of the density's kernel at q over its sum on the lattice.
+pub(super) fn density_weight(scene: &Scene) -> impl Fn(f64) -> f64 {
+    let density = shape(scene.solver.sph.density_kernel);
+    let weight = 1.0 / (density.at(0.0) + sum(scene, |_, q| density.at(q)));
+    move |q| weight * density.at(q)
 }
 
 /// A parabola of velocities has its own Laplacian on the lattice: Σ w q²/(2D) = 1.
@@ -111,7 +126,9 @@ pub(super) fn are_chosen(scene: &Scene) -> bool {
 pub fn sph_kernels(scene: &Scene) -> SphKernels {
     let density = shape(scene.solver.sph.density_kernel);
     let weight = 1.0 / (density.at(0.0) + sum(scene, |_, q| density.at(q)));
-    let (pressure, viscosity) = (pressure(scene), viscosity(scene));
+    let (pressure, viscosity) = (gradient(scene, scene.solver.sph.pressure_kernel), viscosity(scene));
+    // What (1 - q^2)^2 is multiplied by: its value at 0.
+    let tension: f64 = tension(scene).powers.iter().sum();
     SphKernels {
         density: density.powers.map(|c| (weight * c) as f32),
         pressure: pressure.powers.map(|c| c as f32),
@@ -122,6 +139,7 @@ pub fn sph_kernels(scene: &Scene) -> SphKernels {
         pressure_spline: pressure.spline as f32,
         viscosity_inverse: viscosity.inverse as f32,
         viscosity_spline: viscosity.spline as f32,
+        tension: tension as f32,
         ..SphKernels::default()
     }
 }
@@ -129,6 +147,11 @@ pub fn sph_kernels(scene: &Scene) -> SphKernels {
 /// What walls count in the density: as fluid beyond them would with its kernel.
 pub fn density_walls(scene: &Scene) -> SmoothingKernelParams {
     with_walls_if(scene.domain.wall.model.counts_in_density(), walls_of(scene, scene.solver.sph.density_kernel))
+}
+
+/// What walls count in the colour field: likewise.
+pub fn tension_walls(scene: &Scene) -> SmoothingKernelParams {
+    with_walls_if(scene.domain.wall.model.counts_in_density(), walls_of(scene, TENSION_KERNEL))
 }
 
 /// What walls answer to pressure: likewise. Not scaled until even pressure leaves the lattice's first layer where it is,
@@ -180,26 +203,6 @@ fn walls_of(scene: &Scene, kernel: SmoothingKernel) -> SmoothingKernelParams {
         wall_kernel_fraction: fraction.map(|c| c as f32),
         ..wendland
     }
-}
-
-/// What the stress of a plane surface's layers sums up to on the lattice, h: the tension that its parameter is scaled by.
-/// Layer k feels a slope n of the colour field for want of neighbours, and passes its stress on to those it has.
-pub(super) fn tension_sum(scene: &Scene) -> f64 {
-    let (pressure, ratio) = (pressure(scene), scene.solver.support_ratio);
-    let layers = 0..ratio.ceil() as i32;
-    let of_layer = |layer: i32| {
-        let there = |step: [i32; 3]| step[1] <= layer;
-        let normal = -sum(scene, |step, q| match there(step) {
-            true => pressure.at(q) * f64::from(step[1]) / ratio,
-            false => 0.0,
-        });
-        let passed_on = sum(scene, |step, q| match there(step) {
-            true => pressure.at(q) * (f64::from(step[0]) / ratio).powi(2),
-            false => 0.0,
-        });
-        normal.abs() * passed_on
-    };
-    layers.map(of_layer).sum::<f64>() / ratio
 }
 
 #[cfg(test)]

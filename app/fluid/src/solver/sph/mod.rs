@@ -10,6 +10,7 @@
 mod accelerate;
 mod compute_density;
 mod kernels;
+mod plane_surface;
 mod solids;
 mod time_step;
 
@@ -26,7 +27,8 @@ use crate::step_context::StepContext;
 use accelerate::accelerate;
 use compute_density::compute_density;
 pub(crate) use kernels::shear_beyond;
-pub use kernels::{density_walls, pressure_walls, sph_kernels};
+pub use kernels::{density_walls, pressure_walls, sph_kernels, tension_walls};
+use plane_surface::PlaneSurface;
 use solids::{add_solid_acceleration, add_solid_density};
 use time_step::TimeStep;
 pub use time_step::limits;
@@ -37,6 +39,7 @@ pub struct Sph {
     pub(crate) search: NeighbourSearch,
     kernels: Buffer<SphKernels>,
     density_walls: Buffer<SmoothingKernelParams>,
+    tension_walls: Buffer<SmoothingKernelParams>,
     pressure_walls: Buffer<SmoothingKernelParams>,
     /// Whether a term has another kernel than Wendland's.
     chosen_kernels: bool,
@@ -57,17 +60,15 @@ enum Gathered {
 const UNCLAMPED_M2_S2: f64 = -1.0e30;
 /// Two particles closer than half a spacing part: at one point with the pressure of fluid that is 5 % compressed.
 const SEPARATION: [f64; 2] = [0.5, 0.05];
-/// With surface tension those closer than .9 of one, and three times as hard: its stress pulls along the surface, where
-/// particles would clump (the tensile instability; Monaghan 2000 answers alike). Without it a drop of 1,000 boiled off.
-const SEPARATION_IN_TENSION: [f64; 2] = [0.9, 0.15];
 
 /// What the shaders are given.
 pub fn params(scene: &Scene) -> SphParams {
     let (sph, support_m) = (&scene.solver.sph, scene.support_m());
     let stiffness_m2_s2 = scene.stiffness_m2_s2();
     let g_m_s2 = scene.gravity_length_m_s2();
-    let tension_m3_s2 = sph.surface_tension_n_m / scene.rest_density_kg_m3() / kernels::tension_sum(scene);
-    let [distance, compression] = if sph.surface_tension_n_m > 0.0 { SEPARATION_IN_TENSION } else { SEPARATION };
+    let surface = if sph.surface_tension_n_m > 0.0 { PlaneSurface::of(scene) } else { PlaneSurface::default() };
+    let tension_m3_s2 = sph.surface_tension_n_m / scene.rest_density_kg_m3() * surface.tension_scale;
+    let [distance, compression] = SEPARATION;
     let [_, _, end_kick] = sph.integrator.kicks();
     SphParams {
         stiffness_m2_s2: stiffness_m2_s2 as f32,
@@ -82,6 +83,9 @@ pub fn params(scene: &Scene) -> SphParams {
         borne_scale: kernels::borne_scale(scene) as f32,
         end_kick: end_kick as f32,
         defers_pressure: u32::from(!scene.solids.is_empty()),
+        surface_linear: surface.completion[0] as f32,
+        surface_square: surface.completion[1] as f32,
+        most_normal: surface.most_normal as f32,
         ..SphParams::default()
     }
 }
@@ -100,6 +104,7 @@ impl Sph {
             search: NeighbourSearch::declare(resources, scene, capacity),
             kernels: resources.persistent("sph_kernels", 1),
             density_walls: resources.persistent("density_walls", 1),
+            tension_walls: resources.persistent("tension_walls", 1),
             pressure_walls: resources.persistent("pressure_walls", 1),
             chosen_kernels: kernels::are_chosen(scene),
             gathered: match scene.solver.sph.surface_tension_n_m > 0.0 {
@@ -116,6 +121,7 @@ impl Sph {
         init.upload(&mut self.params, &[params(scene)]);
         init.upload(&mut self.kernels, &[sph_kernels(scene)]);
         init.upload(&mut self.density_walls, &[density_walls(scene)]);
+        init.upload(&mut self.tension_walls, &[tension_walls(scene)]);
         init.upload(&mut self.pressure_walls, &[pressure_walls(scene)]);
         init.upload(&mut self.kicks, &[kick_params(scene)]);
         init.clear(&mut self.accelerations);

@@ -18,10 +18,11 @@ pub(super) fn add_solid_density(recording: &mut Recording, sph: &mut Sph, solids
         Gathered::Flow(flow) => (Some(flow.write()), None),
         Gathered::FlowAndSurface(both) => (None, Some(both.write())),
     };
+    let surface_tension = velocity_pressure_normals.is_some();
     context.slots.dispatch(
         recording,
         &AddSolidDensity {
-            variant: AddSolidDensityVariant { surface_tension: velocity_pressure_normals.is_some() },
+            variant: AddSolidDensityVariant { surface_tension },
             sorted_positions: sph.search.sorted.positions.read(),
             solid_contacts: solids.contacts().read(),
             velocity_pressures,
@@ -29,6 +30,7 @@ pub(super) fn add_solid_density(recording: &mut Recording, sph: &mut Sph, solids
             step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
             density_walls: sph.density_walls.uniform(),
+            tension_walls: surface_tension.then(|| sph.tension_walls.uniform()),
             sph: sph.params.uniform(),
         },
     );

@@ -17,10 +17,13 @@ pub struct Flow<'a> {
     pub states: &'a [State],
 }
 
-/// The colour field's stress times a vector, over the tension: |n| v - n (n·v)/|n| (Lafaurie et al. 1994).
+/// The share of the stress that is the same in all directions; Lafaurie's is 1.
+const ISOTROPIC: f64 = 1.25;
+
+/// The colour field's stress times a vector, over the tension: 1.25 |n| v - n (n·v)/|n| (Lafaurie et al. 1994: 1).
 fn stress_times(normal: DVec3, v: DVec3) -> DVec3 {
     let length = normal.length();
-    if length > 0.0 { length * v - normal * (normal.dot(v) / length) } else { DVec3::ZERO }
+    if length > 0.0 { ISOTROPIC * length * v - normal * (normal.dot(v) / length) } else { DVec3::ZERO }
 }
 
 /// Of particle `i`, m/s². `separation` gives the direction, of length 1, in which it parts from another at its own place.
@@ -48,7 +51,8 @@ pub fn accelerate(
             let weight = kernels.viscosity.scale * kernels.viscosity.kernel.laplacian(q);
             shear_m_s += weight * (flow.velocities_m_s[j] - flow.velocities_m_s[i]);
         }
-        stress -= stress_times(own.normal, gradient) + stress_times(other.normal, gradient);
+        let draw = kernels.draw(offset);
+        stress -= stress_times(own.normal, draw) + stress_times(other.normal, draw);
         if q < terms.separation {
             let direction = if q < COINCIDENT { separation(i, j) } else { offset / q };
             push += terms.separation_m2_s2 * (1.0 - q / terms.separation) * direction;

@@ -17,7 +17,15 @@ pub struct Term {
     pub scale: f64,
 }
 
-/// The kernels of density, pressure and viscosity.
+impl Term {
+    /// -W'/q times the offset, in h.
+    fn along(&self, offset: DVec3) -> DVec3 {
+        let q = offset.length();
+        if q == 0.0 { DVec3::ZERO } else { -self.scale * self.kernel.slope(q) / q * offset }
+    }
+}
+
+/// The kernels of density, pressure, viscosity and the colour field.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernels {
     /// W: 1 over its sum on the lattice, the particle itself among it.
@@ -26,6 +34,8 @@ pub struct Kernels {
     pub pressure: Term,
     /// The Laplacian's weight: 1 over the sum of its q²/(2D).
     pub viscosity: Term,
+    /// -W'/q of poly6, as the pressure's.
+    pub tension: Term,
 }
 
 impl Kernels {
@@ -36,17 +46,23 @@ impl Kernels {
         let sum = |of: &dyn Fn(f64) -> f64| {
             lattice::sum(dimensions, support_ratio, |_, q| if q > 0.0 && q < 1.0 { of(q) } else { 0.0 })
         };
+        let sloped = |kernel: Kernel| Term { kernel, scale: 1.0 / sum(&|q| -kernel.slope(q) * q / d) };
         Self {
             density: Term { kernel: density, scale: 1.0 / (density.w(0.0) + sum(&|q| density.w(q))) },
-            pressure: Term { kernel: pressure, scale: 1.0 / sum(&|q| -pressure.slope(q) * q / d) },
+            pressure: sloped(pressure),
+            tension: sloped(Kernel::Poly6),
             viscosity: Term { kernel: viscosity, scale: 1.0 / sum(&|q| viscosity.laplacian(q) * q * q / (2.0 * d)) },
         }
     }
 
-    /// -W'/q times the offset from j to i, in h: opposite for the two.
+    /// -W'/q of the pressure's kernel times the offset from j to i, in h: opposite for the two.
     pub fn push(&self, offset: DVec3) -> DVec3 {
-        let q = offset.length();
-        if q == 0.0 { DVec3::ZERO } else { -self.pressure.scale * self.pressure.kernel.slope(q) / q * offset }
+        self.pressure.along(offset)
+    }
+
+    /// Likewise of the colour field's.
+    pub fn draw(&self, offset: DVec3) -> DVec3 {
+        self.tension.along(offset)
     }
 }
 
@@ -71,6 +87,10 @@ pub struct Terms {
     pub supported_per_m2_s2: f64,
     /// Of what they bear.
     pub borne_scale: f64,
+    /// What a free surface lacks of density, of the length of the colour field's gradient and its square; 0 without tension.
+    pub completion: [f64; 2],
+    /// Of that length, 1/h, what counts.
+    pub most_normal: f64,
 }
 
 impl Terms {
@@ -86,6 +106,8 @@ impl Terms {
             separation_m2_s2: params.separation_m2_s2.into(),
             supported_per_m2_s2: params.supported_per_m2_s2.into(),
             borne_scale: params.borne_scale.into(),
+            completion: [params.surface_linear, params.surface_square].map(f64::from),
+            most_normal: params.most_normal.into(),
         }
     }
 }
@@ -93,7 +115,7 @@ impl Terms {
 /// What pairs gather of a particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
-    /// ρ/ρ0.
+    /// ρ/ρ0, with surface tension with what the surface lacks.
     pub density_ratio: f64,
     /// p / (ρ0 (ρ/ρ0)²), m²/s².
     pub pressure_m2_s2: f64,
@@ -107,7 +129,15 @@ pub fn pressure_of(density_ratio: f64, terms: &Terms) -> f64 {
     pressure.max(terms.least_pressure_m2_s2)
 }
 
-/// Of particle `i`; `density_walls` counts the density's kernel beyond walls.
+/// The density ratio with what a free surface lacks, as the colour field's gradient tells it.
+pub fn completed(density_ratio: f64, normal: DVec3, terms: &Terms) -> f64 {
+    let length = normal.length().min(terms.most_normal);
+    let [linear, square] = terms.completion;
+    density_ratio + length * (linear + square * length)
+}
+
+/// Of particle `i`; `density_walls` counts the density's kernel beyond walls, `tension_walls` the colour field's.
+#[expect(clippy::too_many_arguments)]
 pub fn compute_density(
     i: usize,
     positions_m: &[DVec3],
@@ -116,15 +146,14 @@ pub fn compute_density(
     kernels: &Kernels,
     terms: &Terms,
     density_walls: Option<&DomainWalls>,
+    tension_walls: Option<&DomainWalls>,
 ) -> State {
     let Term { kernel, scale } = kernels.density;
     let boundary = sample_boundary(positions_m[i], density_walls);
     let offsets = || neighbours.iter().map(|&j| smoothing.offset(positions_m[i], positions_m[j]));
     let inside = kernel.w(0.0) + offsets().map(|offset| kernel.w(offset.length())).sum::<f64>();
-    let density_ratio = scale * inside + boundary.density;
-    State {
-        density_ratio,
-        pressure_m2_s2: pressure_of(density_ratio, terms) / density_ratio.powi(2),
-        normal: boundary.gradient - offsets().map(|offset| kernels.push(offset)).sum::<DVec3>(),
-    }
+    let beyond = sample_boundary(positions_m[i], tension_walls).gradient;
+    let normal = beyond - offsets().map(|offset| kernels.draw(offset)).sum::<DVec3>();
+    let density_ratio = completed(scale * inside + boundary.density, normal, terms);
+    State { density_ratio, pressure_m2_s2: pressure_of(density_ratio, terms) / density_ratio.powi(2), normal }
 }

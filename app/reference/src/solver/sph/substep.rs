@@ -25,6 +25,8 @@ pub struct Sph {
     pub kicks: Kicks,
     /// What the density's kernel counts beyond walls.
     pub density_walls: Option<DomainWalls>,
+    /// And the colour field's.
+    pub tension_walls: Option<DomainWalls>,
     /// And what they answer to pressure.
     pub pressure_walls: Option<DomainWalls>,
     /// What limits substeps.
@@ -92,9 +94,17 @@ impl Sph {
         let velocities_m_s: Vec<DVec3> = particles.iter().map(|p| p.velocity_m_s).collect();
         let neighbours = &self.neighbours;
         let states = parallel::map(particles.len(), |i| {
-            let walls = self.density_walls.as_ref();
-            let state =
-                compute_density(i, &positions_m, &neighbours[i], &self.smoothing, &self.kernels, &self.terms, walls);
+            let [walls, beyond] = [&self.density_walls, &self.tension_walls].map(Option::as_ref);
+            let state = compute_density(
+                i,
+                &positions_m,
+                &neighbours[i],
+                &self.smoothing,
+                &self.kernels,
+                &self.terms,
+                walls,
+                beyond,
+            );
             // Lists that are kept still have who was parked since.
             let pressure_m2_s2 = if particles[i].is_simulated() { state.pressure_m2_s2 } else { 0.0 };
             State { pressure_m2_s2, ..state }
