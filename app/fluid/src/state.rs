@@ -1,8 +1,8 @@
 //! A running scene in a file: saved in one go, read back whole or not at all.
 //!
 //! A running scene is its scene, the time, its particles, bodies, and spray, foam and bubbles. So a saved state goes on bit for
-//! bit where sorting is deterministic, and a scene of another spacing takes the fluid over by resampling it. With `solver.pbf.warm_start` the last substep's
-//! pressure lasts as well; it is not saved, and the first substep begins cold.
+//! bit where sorting is deterministic, and a scene of another spacing takes the fluid over by resampling it. With
+//! `solver.pbf.warm_start` the last substep's pressure lasts as well; it is not saved, and the first substep begins cold.
 //!
 //! A `.brooklet` file is, in this order and little-endian:
 //!
@@ -264,11 +264,11 @@ impl State {
             return Err(damaged("its content is damaged: its checksum is another".to_owned()));
         }
         known(&sections, &header.program).map_err(damaged)?;
-        // The content of a section of so many bytes a particle, if it is there.
         let content_of = |known: Known| {
             let found = sections.iter().find(|section| section.name == known.name && is_known(section));
             found.map(|section| section.content)
         };
+        // The content of a section of so many bytes a particle, if it is there.
         let section = |known: Known, bytes_each: usize, of: (usize, &str)| {
             let Some(content) = content_of(known) else { return Ok(None) };
             let (count, what) = of;

@@ -1,10 +1,7 @@
 //! Spray, foam and bubbles on the host: what lasts of them from step to step.
 
 use brooklet_gpu::group_grid;
-use brooklet_kernels::{DiffuseParticle, DiffuseState};
-
-/// Threads of a group that visits slots (PARTICLE_GROUP).
-const GROUP: u32 = 64;
+use brooklet_kernels::{AdvectDiffuse, DiffuseParticle, DiffuseState, Kernel as _};
 
 /// All diffuse particles of a scene; empty where it has none.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,7 +31,7 @@ impl DiffuseSet {
 /// What the GPU knows of so many slots in use.
 pub(super) fn slots_in_use(count: u32, next_slot: u32) -> DiffuseState {
     DiffuseState {
-        groups: group_grid(count.div_ceil(GROUP)),
+        groups: group_grid(count.div_ceil(AdvectDiffuse::GROUP_SIZE[0])),
         next_slot,
         vertex_count: 3,
         instance_count: count,

@@ -198,7 +198,9 @@ impl Session {
         }
         // Those clear them.
         session.write_emitter_states();
-        session.write_diffuse(&diffuse);
+        if !diffuse.particles.is_empty() {
+            session.write_diffuse(&diffuse);
+        }
         Ok(session)
     }
 

@@ -252,7 +252,7 @@ static ACCELERATE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "6ec929cc2e0d8f45532f90a2a34ea085d4906b396567bd3cdc6d4f7abd218ce2",
+    hash: "1ffc626f9dc16533a1a17e99d55a347cd5781c022db0d7b7d2dda7e7b46a109c",
 };
 
 static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
@@ -265,7 +265,7 @@ static ACCELERATE_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "e6f69985264ba3fd73806426e510d0596004e79d23aa203dca605a0b024492c7",
+    hash: "601f6617cdb65262d80573e528c1152d8b24db80734b648071494f6f600867a3",
 };
 
 static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
@@ -278,7 +278,7 @@ static ACCELERATE_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "f8239716c3020fe9beec12208c5ad7a1627c755e8616920594e925e75624c25c",
+    hash: "04677b95166dd90c3fd4aba5ac825d9fb42d5defcecf35b5edd89d0a7b27f58d",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
@@ -291,7 +291,7 @@ static ACCELERATE_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "087603d6bc474d97611adac9f0d0c8577011556d4d69daad5315006454b394c0",
+    hash: "edaa1ea89e37b9610cadd38ddbd3300cd724c598570920d963268e64a40eff7a",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -304,7 +304,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "c55617c731a2d69ae28dc741d2b073a8d30c8b8c01db51f0bf5250bbe3ae1460",
+    hash: "28868f69f466ef2f060ea017a5efd128f963eca58d730fdcb92d8329bb76f15a",
 };
 
 static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -317,7 +317,7 @@ static ACCELERATE_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "dfa2c001eb2c825e4f13e348214df724937f2629548b0c59c4085fe67bf19787",
+    hash: "9a47847d39ae88c49477199b135f60e58d48d54725ab3950d034346d9544695c",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
@@ -330,7 +330,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "ac4897642c64e733fe126a92a30d2dfc8f0a1a67913b9985b78151798f500f51",
+    hash: "4c67a8fc48deca27ab3fcbcb8745a3cec10565c57e638bd3102adfa95757cb49",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -343,7 +343,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "3b2674233d839a4760f6db8a7153dfcd81cc32a7c3d653c12d44ffe8e8cd477e",
+    hash: "58863e587f0e355b422d7570db7c15a25c3466b1d4c9db0730363f6a5ff7e61d",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -356,7 +356,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "504e61090d45bd3c7977e9a1988cd4ba094e88b54dfded6ade3236ebc8fd849e",
+    hash: "b1cc06c392dc1869ceebf2bfeb43f6ffd5ce652404fa6ac38d08765eadab649b",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -369,7 +369,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "0b7513981d50f1298825bdd814ce95bf41a2fbbf68ac53643b39943b891b1701",
+    hash: "65614c62847b42a6a769a0bdc72ca4cf2727829c116af8c3c6347871ed7506ba",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -382,7 +382,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISIO
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "1fce1de2bc481c65505d0cf19787ac9e57098599a0efa5879520c9de31f18988",
+    hash: "722f1abe2d431aff648612f9575afb6854686ad3893b8b3134b04149575f0527",
 };
 
 static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -395,7 +395,7 @@ static ACCELERATE_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "5e7e78e14b6ba307b16b80f36b9b0e561f98bd5e5dd4f356be917f388cac1e13",
+    hash: "04d0abc1b70306db0d3a06544bada3818529d7ce433298bbcf65f0e222ed671e",
 };
 
 static ACCELERATE_WITH_WALLS: Module = Module {
@@ -408,7 +408,7 @@ static ACCELERATE_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "f6c7217212383d213f731042813df1d407e25a6527aedff4d182149bfcd7c230",
+    hash: "509fa29fac53513bcaec18aa2335ae0e589f964211cde231f38131b7d11c2ea4",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -421,7 +421,7 @@ static ACCELERATE_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "cac3920e96948491f9b6d0b927a9a8e52a14cc2c3e1508355ca27a58f5b5c299",
+    hash: "465d550c75723623a564cdaac2b21ad2e85945a138a47355aff418973ae8f0f6",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -434,7 +434,7 @@ static ACCELERATE_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "6206d9018215f6ccb00276e1c71b7c116b2161e8721993c957c5f9391771553f",
+    hash: "7b41a288684affe1d6584c6ebc55ae854bd9dc32bb486583db30e64194a1bcfb",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -447,7 +447,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "bd4a58b7fd52192ce0b8d324876ef02dfb98e26818e5a930394842c51e667fa3",
+    hash: "54da2958debdc74fb2341a9197a578d316ca3609d36c3e8c31865615986a0dd1",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -460,7 +460,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "49af26d37f326d128a0c841caa6bc2a3e7125560a9759db9c1f1f65e122411a9",
+    hash: "bf09ca48e36714d04c49ddcb2d78763797e8db5c506ee95d1cfac86f2e41076d",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -473,7 +473,7 @@ static ACCELERATE_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = 
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/accelerate.compute",
-    hash: "2f8fd63abcfbd8196407ffdfb155225e3115469b9d01d99f83fb12275a421871",
+    hash: "3c8b8cca3d80ba3027cbd3eecca3cee168cec7e4bf7ff76b9eef1f4fe9d3e043",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -486,7 +486,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "b5c3e89acd3fbb1dde883021f903c6ae4be367aaa0df176ad4d8b607babbf75c",
+    hash: "e326178b9937b0f15f5c3b50f1bc60d882dfe78b4d22d2f8f780426f068163fd",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -499,7 +499,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "eb1ac510bb925242cd80a54b3895085a467c7c068f2f96f31853f9743fc21fea",
+    hash: "65dbd7f2b6ed356244ce6e6adfb424ec90f8beaf329a661f6f591642fbd7969f",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -512,7 +512,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "41af76750ecc3b1cf9c323168a7a06db5c8626cd311af120008d48571c286d07",
+    hash: "d2e2687fc5094cdd66152dcd467b00b8af2032344bacba4158082defc0651d3b",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -525,7 +525,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "98111c887d0f4d0cddb359a2392585af3755dc0f06ab129d84680ef52451047c",
+    hash: "b021e2f068710769a3366a4bee32050e45fe55398dce2c3d98396777c5be2057",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -538,7 +538,7 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAX
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "995b7ba934fc85ec0cb9506858a39b921d36576dc2a459bc427763602b8c2ed1",
+    hash: "79ac8356373e213d4151524d4b43ac08a0a8798f9fd5f007d7126d5a068f78cd",
 };
 
 static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -551,5 +551,5 @@ static ACCELERATE_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/accelerate.compute",
-    hash: "938ad89ddc0c81162dbbbb88e70a3633a6daf139964805d29ec76944cebfa88d",
+    hash: "bce84a86fa9be1cd99a59ede42fe6dc4bb76f4aa0d1fc8390b2337085d54ff79",
 };

@@ -156,7 +156,7 @@ static ADD_SOLID_ACCELERATION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "425ab558e7007d487c4262dc1e3c7586a2dd565c3994053cd3ebc6d1f0bc02bc",
+    hash: "d589d549eabc51ed6dffb8416566ae5c53b1385801d7399a67e545eeca08d34d",
 };
 
 static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
@@ -169,5 +169,5 @@ static ADD_SOLID_ACCELERATION_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_acceleration.compute",
-    hash: "3aa0b2638838bada0b011916117b28ca8e980be4cd807a3ee42e1705452f4707",
+    hash: "c13cadf2c07f221570443b7afb713558e22a3323505c875737da71f62c1a1000",
 };

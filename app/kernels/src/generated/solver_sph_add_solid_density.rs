@@ -130,7 +130,7 @@ static ADD_SOLID_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "8129e5af6413bb1a862faa29f3cae8343025e5021c12c46af4820c62900810cf",
+    hash: "261011ea3916e931332443551e67e688d9120ae2a41ad3233188423ee401230a",
 };
 
 static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -143,5 +143,5 @@ static ADD_SOLID_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/add_solid_density.compute",
-    hash: "aeac74f800a6f0abdb6e3d5f66853db332c861bf46a74628e6bf132ffd27d672",
+    hash: "7c2affae8242cc7776eedeea432a22425bff991fb3965bfe8922dbe8bca5b756",
 };

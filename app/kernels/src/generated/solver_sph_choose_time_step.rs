@@ -174,7 +174,7 @@ static CHOOSE_TIME_STEP: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "e2a9a6ae0129b9ced1a25d283936026c12574b6bd314b7293a4c0c8d837019fe",
+    hash: "8d84bbe3ba81f70624fa541497cf2c8ff10c3c1c6b8a9a66e0d4802e6daec698",
 };
 
 static CHOOSE_TIME_STEP_WITH_KEEPS_LISTS: Module = Module {
@@ -187,7 +187,7 @@ static CHOOSE_TIME_STEP_WITH_KEEPS_LISTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "daaca290b258a7d200fabff844f42f02ed2a46caf06788a5a4e65c5d2ffb56ad",
+    hash: "b32fe262a00b7d6fb091effcb4a3e32ac2e535024bf4524487ea30b72e9cdbd7",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
@@ -200,7 +200,7 @@ static CHOOSE_TIME_STEP_WITH_ADAPTIVE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "42537360ef495b8bc87a5639eef95c6b88f0b038d4e7ccbcb9ac9ba3d9883694",
+    hash: "1355f567d6d010fa0b11173abc4db6c555ca936dc4ad58e6a022c23cf5af6cd6",
 };
 
 static CHOOSE_TIME_STEP_WITH_ADAPTIVE_WITH_KEEPS_LISTS: Module = Module {
@@ -213,5 +213,5 @@ static CHOOSE_TIME_STEP_WITH_ADAPTIVE_WITH_KEEPS_LISTS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/choose_time_step.compute",
-    hash: "62bbf7a70df6e438731965e18c4f56fb468d29d8229dec9b8a70befb7402c4b1",
+    hash: "92bfa45bde57ab9d86ae3d9b7f8ea0822feb5967e3e98031daaac83a079063d2",
 };

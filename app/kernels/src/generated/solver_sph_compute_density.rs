@@ -346,7 +346,7 @@ static COMPUTE_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "a5570520e35b1f9fa7ccd36b5c9674b88df7b437f62898c64d9da4f571dd6901",
+    hash: "df6664222d344839d96beb4a5573f4340fb9d386771c0c05b6bc6afad4b33c0b",
 };
 
 static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
@@ -359,7 +359,7 @@ static COMPUTE_DENSITY_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "547862fa5646103360155b26272d307ae6c1e704020d2f719b7dcbc1f7371c87",
+    hash: "175a6ebb263c0b18292d9644e69a4d834e08e85cfad4ff1a949489de8a4a4dc1",
 };
 
 static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
@@ -372,7 +372,7 @@ static COMPUTE_DENSITY_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "c972438da20c709e2c38d13674b0a93d5ad54743b8945a4381d56a53dca0f404",
+    hash: "efc293a3f46438c2c3363b4e2faf3478ac6be9465ae9f8c5ac5ea060c011aeb5",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
@@ -385,7 +385,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "bfc5818de6f0d2141fe5dccfed79e5a7282f6b9a0148229650f1114f8e288cd5",
+    hash: "e3739cc935ff7e5b2d8613243d7b6a48539285cc0fef797b90867de637e1ae5b",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -398,7 +398,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Mod
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4c4706c154f54c419a8c6e15dcb446c03ef24922efc2950218c7589a2bb89162",
+    hash: "bca565895d682f7d16f1cad8e4a2e53edfe56bdff6dfc05fc5189df7b5dc454e",
 };
 
 static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -411,7 +411,7 @@ static COMPUTE_DENSITY_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "8294530567cb1083835e2085ce3eb4eb4c2dae72eff8d602242e1cb918b10249",
+    hash: "e3edf79a164ec7f678435123e51fd2e3b589f19f627e556a82e6a0a85c7e5c89",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
@@ -424,7 +424,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6a599d66b657cca4c15c009d87f45cba5edc4e753d6764edb817aaa53d527aac",
+    hash: "7f126b7ccb270cecd32016ef7085f1c9cbbd3e0e72b0ec057134e96631e07f34",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -437,7 +437,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "35d6c014eb6241c6898e6dc021d572b6038da20cd985b9547723d4ded70e25e8",
+    hash: "c55a07809d854a9796173167b244c0fa7516189b22468b0748274c895a2f1faf",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -450,7 +450,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "58744cec89141486e305132b27dbe571a16cf5a1a73f54bf058510cc828e8603",
+    hash: "96fa6a192e779590f15fb3c8f00e286b000a77c6f4680d39da0f92b1c094b925",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -463,7 +463,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "71af6027929243f2189428774e8c2a6b00b459d981c78d4c26116d8429945e4a",
+    hash: "240123d48c10cf4c5d7111d186cab1014d644abcf9b8efaae2e60b79fdf4e4d6",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -476,7 +476,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRE
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "4cb81e1ef39b1630c5ab2f4c65bd23a2b030a7ddb6de29cdade4545100f6a869",
+    hash: "2582def6d9751d5e9beb8a46b50aba5c3b2c637c07cf44de133d70ce1e31e3ac",
 };
 
 static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -489,7 +489,7 @@ static COMPUTE_DENSITY_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECIS
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "707dc70a675845ed5bf4b77c337463a8560bd596cc3a151f8ed69bee317e7745",
+    hash: "ee6d3c9bf0d1be15e9acdf299232ec818618c3bbfd8572177e5f5b1d056a0104",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
@@ -502,7 +502,7 @@ static COMPUTE_DENSITY_WITH_WALLS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "8c138e33f0b8bff79c621b75a932f7ab9a9d6ec2b955bd895e8211b6456ffa3f",
+    hash: "fefa04bbb3e3398c51957243d5e045c11e0b50dbdd3441e8be9364430accec24",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
@@ -515,7 +515,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_RELAXED_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "6f46401665db2b1701ac379e9415c2cd175f1a91161306a8bbb635ba16390707",
+    hash: "32583440a31aee7a5527c8cb7ebd9c7336b517c8cc8cf9d26cb5aca22d41dd2c",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
@@ -528,7 +528,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_HALF_PRECISION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "96d5d47c635ab6323f114f3f1833e384f86cb2fbfa66e4968928ebbff5214676",
+    hash: "b5a8792495be9586e2264fd6344fba90d5085de8787c9c55d6b2b6bd46d79bd9",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
@@ -541,7 +541,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "979b2412983b1e75243a0296649e2df6eec76fdcf284b9784c9c670c47b65703",
+    hash: "e429846b3b963fe357414fdcc84525420d94339aaabbab98d42a022ed6f81396",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -554,7 +554,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: M
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "360aa435665822b62a1861a50f7d4d67fa36674425e9fda2b8a8c41762dfab4f",
+    hash: "1820225cb578a2588fc0ac6d9fadef396624eff7633ec923d0145b9263963150",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -567,7 +567,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Modu
     shared_bytes: 0,
     tier: Tier::Desktop,
     source: "solver/sph/compute_density.compute",
-    hash: "9a6e9fb8a843aa3d2715fbd74ed8407a6fe4335ab242698027c2994541042c33",
+    hash: "bb882acf3d6c70cd5075d5464ba5a3261ee0dd4155d85083def9ac544c936f38",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
@@ -580,7 +580,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "f8beb56a93a6d2d4349c06f0ee644def39a7e294bee848e430b1982635b11594",
+    hash: "c20b74a54ade1bb9cd79aa61e3606b4b72c995b92915e75f4280e8da7c11b8cd",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Module = Module {
@@ -593,7 +593,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_RELAXED_PRECISION: Mo
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "572c8ddbcd22855a52fceafbd343257310119f506cfd8df789c7beed81c5e714",
+    hash: "ebeceabda44baa32c98ef60cf2545014fba1d22b4b6f3a8e22204e139a7ed0e0",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Module = Module {
@@ -606,7 +606,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_HALF_PRECISION: Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "b23584c867509433504790c2c85f8dafef5f0d01de69137d1a0ef47314ba0202",
+    hash: "43e952ce41e17ca97a4814216a22b0c2609f585c8cebeaac23fa127f7c7ae4ce",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Module = Module {
@@ -619,7 +619,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION: Modu
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "cfab2d273f7d54d1a4a69062cd8f5d4c5f60ce6d982bd10bb38a8ad6632409d5",
+    hash: "41f24f7078da69548ca78382fdf960de044a0fb0349f8657df4d2b2436b23f53",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_RELAXED_PRECISION: Module = Module {
@@ -632,7 +632,7 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "d04b58d4c393c81a4551a7fb541cc33f705361751b158c8c548b936a2c6844f5",
+    hash: "c285971aacfba0c9c2c633c8bde645f58ea8404de0a916536c7e874761ed39bb",
 };
 
 static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_HALF_PRECISION: Module = Module {
@@ -645,5 +645,5 @@ static COMPUTE_DENSITY_WITH_WALLS_WITH_CHOSEN_KERNELS_WITH_SURFACE_TENSION_WITH_
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "solver/sph/compute_density.compute",
-    hash: "11b888fc17b1e2b3076779afd944ec35eaf1500ee46c42cc11a9dfc523b80428",
+    hash: "f4adbdecf7698de4ac5d50e2824f0f3cc23becac090f03a85e1f321622eff5db",
 };

@@ -75,5 +75,5 @@ static FIND_FASTEST: Module = Module {
     shared_bytes: 8,
     tier: Tier::Floor,
     source: "solver/sph/find_fastest.compute",
-    hash: "25e2f886c29b241bb27fb844952cf26ffafceb2859a037a534efc3433ad3c829",
+    hash: "8d213c658ba44de1cdced9d6c553457f9fde56b90ad7405d73de4771c3ae9002",
 };

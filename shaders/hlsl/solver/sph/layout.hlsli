@@ -2,6 +2,10 @@
 #ifndef BROOKLET_SPH_LAYOUT
 #define BROOKLET_SPH_LAYOUT
 
+// The share of surface tension's stress that is the same in all directions: Lafaurie's 1, and a quarter more. At 1 particles of the
+// surface clump, which draw each other along it (the tensile instability); at 2 a drop swings a tenth too slowly.
+static const float ISOTROPIC = 1.25;
+
 // The kernels of density, pressure and viscosity as polynomials of t = 1 - q and s = 1 - 2 q, each 0 where it would be
 // less, without unit (host: solver/sph/kernels.rs). Scaled so that on the initial lattice the density ratio is 1, an even
 // slope of pressure has its own gradient, and a parabola of velocities its own Laplacian.

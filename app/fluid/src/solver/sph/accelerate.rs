@@ -10,7 +10,7 @@ use crate::step_context::StepContext;
 pub(super) fn accelerate(recording: &mut Recording, sph: &mut Sph, context: &StepContext, particles: &mut Particles) {
     let (velocity_pressures, velocity_pressure_normals) = match &sph.gathered {
         Gathered::Flow(flow) => (Some(flow.read()), None),
-        Gathered::FlowAndSurface(both) => (None, Some(both.read())),
+        Gathered::FlowAndSurface { both, .. } => (None, Some(both.read())),
     };
     let (sorted, neighbours) = (&sph.search.sorted, &sph.search.neighbours);
     context.slots.dispatch(

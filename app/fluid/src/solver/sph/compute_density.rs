@@ -14,9 +14,9 @@ pub(super) fn compute_density(
     context: &StepContext,
     particles: &mut Particles,
 ) {
-    let (velocity_pressures, velocity_pressure_normals) = match &mut sph.gathered {
-        Gathered::Flow(flow) => (Some(flow.write()), None),
-        Gathered::FlowAndSurface(both) => (None, Some(both.write())),
+    let (velocity_pressures, velocity_pressure_normals, tension_walls) = match &mut sph.gathered {
+        Gathered::Flow(flow) => (Some(flow.write()), None, None),
+        Gathered::FlowAndSurface { both, walls } => (None, Some(both.write()), context.walls.then(|| walls.uniform())),
     };
     let (sorted, neighbours) = (&sph.search.sorted, &sph.search.neighbours);
     let surface_tension = velocity_pressure_normals.is_some();
@@ -41,7 +41,7 @@ pub(super) fn compute_density(
             step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
             density_walls: context.walls.then(|| sph.density_walls.uniform()),
-            tension_walls: (context.walls && surface_tension).then(|| sph.tension_walls.uniform()),
+            tension_walls,
             kernels: sph.kernels.uniform(),
             sph: sph.params.uniform(),
         },

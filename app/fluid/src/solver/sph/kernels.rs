@@ -12,7 +12,7 @@ use crate::smoothing_kernel_params::{params_with_walls, with_walls_if};
 
 /// W over a factor: coefficients of t³ to t⁶ and of s³, t = 1 - q and s = 1 - 2q where they are not negative.
 #[derive(Clone, Copy, Debug)]
-struct Shape {
+pub(super) struct Shape {
     powers: [f64; 4],
     spline: f64,
 }
@@ -26,10 +26,14 @@ pub(super) struct PairShape {
 }
 
 impl Shape {
-    fn at(&self, q: f64) -> f64 {
+    pub(super) fn at(&self, q: f64) -> f64 {
         let (t, s) = ((1.0 - q).max(0.0), (1.0 - 2.0 * q).max(0.0));
         let [c3, c4, c5, c6] = self.powers;
         t.powi(3) * (c3 + t * (c4 + t * (c5 + t * c6))) + self.spline * s.powi(3)
+    }
+
+    fn scaled(&self, by: f64) -> Self {
+        Self { powers: self.powers.map(|c| by * c), spline: by * self.spline }
     }
 }
 
@@ -102,11 +106,10 @@ pub(super) fn tension(scene: &Scene) -> PairShape {
     gradient(scene, TENSION_KERNEL)
 }
 
-/// W of the density's kernel at q over its sum on the lattice.
-pub(super) fn density_weight(scene: &Scene) -> impl Fn(f64) -> f64 {
-    let density = shape(scene.solver.sph.density_kernel);
-    let weight = 1.0 / (density.at(0.0) + sum(scene, |_, q| density.at(q)));
-    move |q| weight * density.at(q)
+/// The density of the lattice is 1: Σ W = 1, the particle itself among it.
+pub(super) fn density(scene: &Scene) -> Shape {
+    let shape = shape(scene.solver.sph.density_kernel);
+    shape.scaled(1.0 / (shape.at(0.0) + sum(scene, |_, q| shape.at(q))))
 }
 
 /// A parabola of velocities has its own Laplacian on the lattice: Σ w q²/(2D) = 1.
@@ -124,17 +127,16 @@ pub(super) fn are_chosen(scene: &Scene) -> bool {
 
 /// What the shaders are given.
 pub fn sph_kernels(scene: &Scene) -> SphKernels {
-    let density = shape(scene.solver.sph.density_kernel);
-    let weight = 1.0 / (density.at(0.0) + sum(scene, |_, q| density.at(q)));
+    let density = density(scene);
     let (pressure, viscosity) = (gradient(scene, scene.solver.sph.pressure_kernel), viscosity(scene));
     // What (1 - q^2)^2 is multiplied by: its value at 0.
     let tension: f64 = tension(scene).powers.iter().sum();
     SphKernels {
-        density: density.powers.map(|c| (weight * c) as f32),
+        density: density.powers.map(|c| c as f32),
         pressure: pressure.powers.map(|c| c as f32),
         viscosity: viscosity.powers.map(|c| c as f32),
-        density_spline: (weight * density.spline) as f32,
-        density_self: (weight * density.at(0.0)) as f32,
+        density_spline: density.spline as f32,
+        density_self: density.at(0.0) as f32,
         pressure_inverse: pressure.inverse as f32,
         pressure_spline: pressure.spline as f32,
         viscosity_inverse: viscosity.inverse as f32,

@@ -39,7 +39,6 @@ pub struct Sph {
     pub(crate) search: NeighbourSearch,
     kernels: Buffer<SphKernels>,
     density_walls: Buffer<SmoothingKernelParams>,
-    tension_walls: Buffer<SmoothingKernelParams>,
     pressure_walls: Buffer<SmoothingKernelParams>,
     /// Whether a term has another kernel than Wendland's.
     chosen_kernels: bool,
@@ -53,7 +52,11 @@ pub struct Sph {
 enum Gathered {
     Flow(Buffer<VelocityPressure>),
     /// With surface tension.
-    FlowAndSurface(Buffer<VelocityPressureNormal>),
+    FlowAndSurface {
+        both: Buffer<VelocityPressureNormal>,
+        /// What walls count in the colour field.
+        walls: Buffer<SmoothingKernelParams>,
+    },
 }
 
 /// Pressure that is clamped nowhere: no fluid pulls as much.
@@ -104,11 +107,13 @@ impl Sph {
             search: NeighbourSearch::declare(resources, scene, capacity),
             kernels: resources.persistent("sph_kernels", 1),
             density_walls: resources.persistent("density_walls", 1),
-            tension_walls: resources.persistent("tension_walls", 1),
             pressure_walls: resources.persistent("pressure_walls", 1),
             chosen_kernels: kernels::are_chosen(scene),
             gathered: match scene.solver.sph.surface_tension_n_m > 0.0 {
-                true => Gathered::FlowAndSurface(resources.buffer("velocity_pressure_normals", capacity)),
+                true => Gathered::FlowAndSurface {
+                    both: resources.buffer("velocity_pressure_normals", capacity),
+                    walls: resources.persistent("tension_walls", 1),
+                },
                 false => Gathered::Flow(resources.buffer("velocity_pressures", capacity)),
             },
             kicks: resources.persistent("kick_params", 1),
@@ -121,7 +126,9 @@ impl Sph {
         init.upload(&mut self.params, &[params(scene)]);
         init.upload(&mut self.kernels, &[sph_kernels(scene)]);
         init.upload(&mut self.density_walls, &[density_walls(scene)]);
-        init.upload(&mut self.tension_walls, &[tension_walls(scene)]);
+        if let Gathered::FlowAndSurface { walls, .. } = &mut self.gathered {
+            init.upload(walls, &[tension_walls(scene)]);
+        }
         init.upload(&mut self.pressure_walls, &[pressure_walls(scene)]);
         init.upload(&mut self.kicks, &[kick_params(scene)]);
         init.clear(&mut self.accelerations);

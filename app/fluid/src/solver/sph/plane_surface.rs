@@ -1,10 +1,10 @@
 //! A plane surface of the scene's lattice: what its layers lack of density, and what their stress sums up to.
 
-use super::kernels::{density_weight, sum, tension};
+use brooklet_kernels::ISOTROPIC;
+
+use super::kernels::{PairShape, Shape, density, sum, tension};
 use crate::scene::Scene;
 
-/// The share of the stress that is the same in all directions (`accelerate.compute`).
-const ISOTROPIC: f64 = 1.25;
 /// What a swinging drop's tension has over that of a plane at rest: its period in two dimensions and three, at 6 to 24 particles a
 /// radius, is Rayleigh's with 1.04 (f64 trials; without it 2 to 5 % too long).
 const MOVING: f64 = 1.04;
@@ -25,7 +25,7 @@ pub(super) struct PlaneSurface {
 
 impl PlaneSurface {
     pub(super) fn of(scene: &Scene) -> Self {
-        let layers: Vec<Layer> = (0..scene.solver.support_ratio.ceil() as i32).map(|k| Layer::of(scene, k)).collect();
+        let layers = Layer::all(scene);
         let [first, second] = [layers[0], layers[1]].map(|layer| (layer.normal, layer.lacks / layer.normal));
         let square = (first.1 - second.1) / (first.0 - second.0);
         let tension: f64 = layers.iter().map(|layer| layer.normal * layer.passed_on).sum();
@@ -49,16 +49,22 @@ struct Layer {
 }
 
 impl Layer {
-    fn of(scene: &Scene, layer: i32) -> Self {
-        let (weight, tension, ratio) = (density_weight(scene), tension(scene), scene.solver.support_ratio);
+    /// Those that lack neighbours.
+    fn all(scene: &Scene) -> Vec<Self> {
+        let (density, tension) = (density(scene), tension(scene));
+        (0..scene.solver.support_ratio.ceil() as i32).map(|k| Self::of(scene, &density, &tension, k)).collect()
+    }
+
+    fn of(scene: &Scene, density: &Shape, tension: &PairShape, layer: i32) -> Self {
+        let (isotropic, ratio) = (f64::from(ISOTROPIC), scene.solver.support_ratio);
         let (mut normal, mut lacks, mut passed_on) = (0.0, 0.0, 0.0);
         sum(scene, |step, q| {
             let [along, across] = [0, 1].map(|axis| f64::from(step[axis]) / ratio);
             if step[1] > layer {
-                lacks += weight(q);
+                lacks += density.at(q);
             } else {
                 normal -= tension.at(q) * across;
-                passed_on += tension.at(q) * (ISOTROPIC * along * along - (ISOTROPIC - 1.0) * across * across);
+                passed_on += tension.at(q) * (isotropic * along * along - (isotropic - 1.0) * across * across);
             }
             0.0
         });
@@ -83,13 +89,13 @@ mod tests {
         for dimensions in [2, 3] {
             let scene = scene(dimensions);
             let surface = PlaneSurface::of(&scene);
-            for (k, off) in [(0, 1e-12), (1, 1e-12), (2, 0.01)] {
-                let layer = Layer::of(&scene, k);
+            let layers = Layer::all(&scene);
+            for (k, (layer, off)) in layers.iter().zip([1e-12, 1e-12, 0.01]).enumerate() {
                 let n = layer.normal.min(surface.most_normal);
                 let completed = 1.0 - layer.lacks + n * (surface.completion[0] + n * surface.completion[1]);
                 assert!((completed - 1.0).abs() < off, "{dimensions}-D, layer {k}: {completed}");
             }
-            assert!(Layer::of(&scene, 0).lacks > 0.2, "something is lacking");
+            assert!(layers.len() == 3 && layers[0].lacks > 0.2, "something is lacking");
         }
     }
 

@@ -14,15 +14,14 @@ use crate::step_context::StepContext;
 
 /// To what `compute_density` left.
 pub(super) fn add_solid_density(recording: &mut Recording, sph: &mut Sph, solids: &Solids, context: &StepContext) {
-    let (velocity_pressures, velocity_pressure_normals) = match &mut sph.gathered {
-        Gathered::Flow(flow) => (Some(flow.write()), None),
-        Gathered::FlowAndSurface(both) => (None, Some(both.write())),
+    let (velocity_pressures, velocity_pressure_normals, tension_walls) = match &mut sph.gathered {
+        Gathered::Flow(flow) => (Some(flow.write()), None, None),
+        Gathered::FlowAndSurface { both, walls } => (None, Some(both.write()), Some(walls.uniform())),
     };
-    let surface_tension = velocity_pressure_normals.is_some();
     context.slots.dispatch(
         recording,
         &AddSolidDensity {
-            variant: AddSolidDensityVariant { surface_tension },
+            variant: AddSolidDensityVariant { surface_tension: velocity_pressure_normals.is_some() },
             sorted_positions: sph.search.sorted.positions.read(),
             solid_contacts: solids.contacts().read(),
             velocity_pressures,
@@ -30,7 +29,7 @@ pub(super) fn add_solid_density(recording: &mut Recording, sph: &mut Sph, solids
             step_state: context.slots.state.uniform(),
             step_params: context.step.uniform(),
             density_walls: sph.density_walls.uniform(),
-            tension_walls: surface_tension.then(|| sph.tension_walls.uniform()),
+            tension_walls,
             sph: sph.params.uniform(),
         },
     );
@@ -46,7 +45,7 @@ pub(super) fn add_solid_acceleration(
 ) {
     let (velocity_pressures, velocity_pressure_normals) = match &sph.gathered {
         Gathered::Flow(flow) => (Some(flow.read()), None),
-        Gathered::FlowAndSurface(both) => (None, Some(both.read())),
+        Gathered::FlowAndSurface { both, .. } => (None, Some(both.read())),
     };
     slots.dispatch(
         recording,
