@@ -196,7 +196,8 @@ fn a_person_holds_a_body_and_places_a_hose() {
     let mut command = shop.command(["view", "tank.toml", "--rung", "3", "--budget", "200", "--out", "shots"]);
     let mut user = User::open(&mut command, shop.path("").as_path());
     let number = |user: &User, fact: &str| user.fact(fact).as_f64().unwrap_or(f64::NAN);
-    user.wait("the simulation", |user| (number(user, "steps") > 4.0).then_some(()));
+    // By then the body floats: while it still falls into the water it is no longer where it was told to be.
+    user.wait("the simulation", |user| (number(user, "steps") > 480.0).then_some(()));
     let seen = |user: &User| {
         let at = user.fact("bodies_seen")[0].clone();
         [at[0].as_f64().unwrap_or(f64::NAN), at[1].as_f64().unwrap_or(f64::NAN)]
