@@ -233,6 +233,10 @@ macro_rules! for_each_known_answer {
                 meshed_water_and_solids_are_as_stored: [
                     "draw_floor", "draw_water", "draw_solids", "draw_solids_shadow", "draw_glass",
                 ],
+                metal_is_as_stored: ["draw_metal"],
+                meshed_metal_is_as_stored: ["draw_metal"],
+                metal_and_solids_are_as_stored: ["draw_metal"],
+                meshed_metal_and_solids_are_as_stored: ["draw_metal"],
                 a_cross_fade_is_as_stored: ["draw_fluid_depth", "draw_mesh_depth", "draw_water", "draw_cross_fade"],
             }
             refine {

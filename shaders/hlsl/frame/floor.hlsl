@@ -6,6 +6,7 @@
 
 #include "camera.hlsli"
 #include "environment.hlsli"
+#include "floor_tiles.hlsli"
 #include "sun_past.hlsli"
 
 #if defined(POINTS_SHADOW)
@@ -44,26 +45,6 @@ Varyings FloorVertex(uint vertex : SV_VertexID)
     output.world_m = float3(0.5 * style.domain_size_m.x + corner.x, 0.0, 0.5 * style.domain_size_m.z + corner.y);
     output.position = ClipFromOffset(view, output.world_m - view.eye_m);
     return output;
-}
-
-// How much of a pixel's footprint `width` (in tiles) around `at` lies on a joint that takes
-// `joint` of each tile: the integral over the footprint, so that it fades out and never flickers.
-float2 JointIntegral(float2 x, float joint)
-{
-    return floor(x) * joint + min(frac(x), joint);
-}
-
-float Joints(float2 at, float2 width, float joint)
-{
-    float2 share = (JointIntegral(at + 0.5 * width, joint) - JointIntegral(at - 0.5 * width, joint)) / width;
-    return 1.0 - (1.0 - saturate(share.x)) * (1.0 - saturate(share.y));
-}
-
-float TileTone(float2 tile)
-{
-    float2 h = frac(tile * float2(0.1031, 0.1130) + 0.37);
-    h += dot(h, h.yx + 33.33);
-    return frac((h.x + h.y) * h.x * 7.13);
 }
 
 #if defined(WATER_SHADOW)
@@ -112,10 +93,7 @@ float4 FloorFragment(Varyings input) : SV_Target0
     float distance_m = length(offset);
     float3 direction = offset / distance_m;
     float2 at = input.world_m.xz / style.tile_m;
-    float2 width = max(fwidth(at), 1e-4);
-    float near = saturate(1.0 - max(width.x, width.y) * 1.5);
-    float3 albedo = style.floor_color * (1.0 + 0.16 * near * (TileTone(floor(at)) - 0.5));
-    albedo *= 1.0 - 0.40 * Joints(at, width, 0.022);
+    float3 albedo = FloorAlbedo(style, at, fwidth(at));
 
 #if defined(POINTS_SHADOW)
     float sun = SunPast(shadow_map, light, input.world_m, 0.0, input.position.xy);
@@ -142,9 +120,7 @@ float4 FloorFragment(Varyings input) : SV_Target0
     float3 color = albedo * (light.to_sun.y * arriving * light.sun_color * 0.75 + ambient * (0.55 + 0.2 * sun));
 
     color = lerp(color, SkyGradient(light, reflect(direction, up)), Fresnel(0.04, -direction.y));
-    // A pool of light around the domain: what is to be looked at is brightest.
-    float away = length(input.world_m.xz - 0.5 * style.domain_size_m.xz) / (0.4 * style.floor_fade_m);
-    color *= 0.5 + 0.6 / (1.0 + away * away);
+    color *= FloorLight(style, input.world_m);
 
     float fade = 1.0 - exp(-pow(distance_m / style.floor_fade_m, 2.0));
     color = lerp(color, SkyRadiance(light, normalize(float3(direction.x, 0.0, direction.z))), fade);

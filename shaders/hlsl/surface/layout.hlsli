@@ -83,9 +83,7 @@ struct WaterStyle
     float3 scatter_color;       // what thick water shows of its own
     float scatter_per_m;
     float roughness;            // of the highlight, GGX
-    float reserved0;
-    float reserved1;
-    float reserved2;
+    float3 reflectance;         // of a metal, at normal incidence; water has WATER_F0
 };
 
 #endif

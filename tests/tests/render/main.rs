@@ -7,6 +7,7 @@ mod mesh;
 mod mesh_room;
 mod phones;
 mod picture;
+mod picture_metal;
 mod picture_water;
 mod solids;
 mod step_down;

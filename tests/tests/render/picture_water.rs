@@ -33,6 +33,7 @@ fn water(smoothing: Smoothing) -> FrameOptions {
         thickness_divisor: 2,
         absorption_per_m: DVec3::new(3.0, 0.8, 0.4),
         refraction: 1.0,
+        metal_reflectance: None,
         photons: 128,
         self_shadow: false,
     };

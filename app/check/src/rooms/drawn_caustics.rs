@@ -64,6 +64,7 @@ fn options(device: &Device, photons: u32) -> (ScreenSpaceOptions, FrameOptions) 
         thickness_divisor: 2,
         absorption_per_m: DVec3::new(2.0, 0.5, 0.2),
         refraction: 1.0,
+        metal_reflectance: None,
         photons,
         self_shadow: false,
     };

@@ -61,6 +61,7 @@ fn options(device: &Device, look: DiffuseLook) -> FrameOptions {
         thickness_divisor: 2,
         absorption_per_m: DVec3::new(6.0, 2.0, 1.0),
         refraction: 1.0,
+        metal_reflectance: None,
         photons: 0,
         self_shadow: false,
     };

@@ -48,6 +48,7 @@ fn options(device: &Device, self_shadow: bool) -> FrameOptions {
         thickness_divisor: 2,
         absorption_per_m: DVec3::new(7.0, 1.7, 0.75),
         refraction: 1.0,
+        metal_reflectance: None,
         photons: 0,
         self_shadow,
     };

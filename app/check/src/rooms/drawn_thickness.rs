@@ -105,6 +105,7 @@ fn draw(device: &Device, size_px: [u32; 2], eye_m: DVec3, positions: &[Position]
         thickness_divisor: 2,
         absorption_per_m: DVec3::ONE,
         refraction: 1.0,
+        metal_reflectance: None,
         photons: 0,
         self_shadow: false,
     };

@@ -137,6 +137,28 @@ const BOTH: Picture = Picture {
     ],
 };
 
+const METAL: Picture = Picture {
+    name: "metal",
+    has_solids: false,
+    settings: &["surface.metal_reflectance=[0.9, 0.7, 0.5]"],
+    means: [
+        165, 176, 184, 171, 180, 187, 166, 176, 184, 164, 175, 183, 163, 174, 182, 178, 176, 173, 190, 173, 146, 186,
+        180, 170, 186, 186, 185, 174, 176, 177, 188, 185, 179, 139, 137, 131, 117, 126, 134, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
+
+const MESHED_METAL: Picture = Picture {
+    name: "meshed metal",
+    has_solids: false,
+    settings: &["surface.method=marching-cubes", "surface.metal_reflectance=[0.9, 0.7, 0.5]"],
+    means: [
+        165, 176, 184, 172, 181, 188, 167, 177, 185, 164, 175, 183, 163, 174, 182, 178, 176, 171, 191, 170, 136, 186,
+        180, 169, 186, 186, 185, 174, 176, 177, 189, 185, 179, 144, 142, 134, 117, 126, 133, 190, 186, 181, 189, 185,
+        179,
+    ],
+};
+
 /// Half of them under water, one of glass.
 const SOLIDS: &str = "
 spacing_m = 0.05
@@ -205,6 +227,28 @@ const MESHED_AND_SOLIDS: Picture = Picture {
         164, 174, 182, 163, 172, 180, 163, 166, 155, 161, 176, 184, 162, 172, 181, 172, 178, 178, 137, 122, 114, 129,
         150, 146, 140, 171, 184, 166, 174, 177, 185, 184, 178, 148, 164, 165, 118, 148, 156, 91, 137, 150, 134, 157,
         160,
+    ],
+};
+
+const METAL_AND_SOLIDS: Picture = Picture {
+    name: "metal and solids",
+    has_solids: true,
+    settings: &["surface.metal_reflectance=[0.9, 0.7, 0.5]"],
+    means: [
+        164, 174, 182, 163, 172, 180, 163, 166, 155, 164, 173, 180, 162, 172, 181, 181, 180, 177, 184, 146, 126, 192,
+        184, 165, 200, 196, 190, 177, 178, 178, 183, 179, 172, 157, 153, 144, 150, 145, 135, 134, 132, 124, 113, 121,
+        127,
+    ],
+};
+
+const MESHED_METAL_AND_SOLIDS: Picture = Picture {
+    name: "meshed metal and solids",
+    has_solids: true,
+    settings: &["surface.method=marching-cubes", "surface.metal_reflectance=[0.9, 0.7, 0.5]"],
+    means: [
+        164, 174, 182, 163, 172, 180, 163, 166, 155, 170, 178, 183, 162, 172, 181, 181, 179, 175, 188, 147, 121, 198,
+        189, 167, 204, 199, 191, 179, 180, 180, 185, 180, 173, 162, 157, 147, 160, 151, 134, 157, 147, 129, 122, 127,
+        129,
     ],
 };
 
@@ -338,4 +382,20 @@ pub(crate) fn water_without_light_of_its_own_and_solids_are_as_stored(device: &D
 
 pub(crate) fn meshed_water_and_solids_are_as_stored(device: &Device) {
     is_as_stored(device, &MESHED_AND_SOLIDS);
+}
+
+pub(crate) fn metal_is_as_stored(device: &Device) {
+    is_as_stored(device, &METAL);
+}
+
+pub(crate) fn meshed_metal_is_as_stored(device: &Device) {
+    is_as_stored(device, &MESHED_METAL);
+}
+
+pub(crate) fn metal_and_solids_are_as_stored(device: &Device) {
+    is_as_stored(device, &METAL_AND_SOLIDS);
+}
+
+pub(crate) fn meshed_metal_and_solids_are_as_stored(device: &Device) {
+    is_as_stored(device, &MESHED_METAL_AND_SOLIDS);
 }

@@ -56,6 +56,7 @@ fn options(smoothing: Smoothing, iterations: u32) -> ScreenSpaceOptions {
         thickness_divisor: 2,
         absorption_per_m: DVec3::ONE,
         refraction: 1.0,
+        metal_reflectance: None,
         photons: 0,
         self_shadow: false,
     }

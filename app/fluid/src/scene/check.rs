@@ -7,6 +7,7 @@ mod faces;
 mod forms;
 mod solids;
 mod sph;
+mod surface;
 
 use std::fmt::Display;
 
@@ -159,6 +160,7 @@ impl Scene {
         self.check_emitters(&check)?;
         self.check_drains(&check)?;
         self.check_diffuse(&check)?;
+        self.check_surface(&check)?;
         self.check_count(&check)?;
         if let Some(camera) = &self.camera {
             let squared_m2: f64 = (0..3).map(|axis| (camera.eye_m[axis] - camera.target_m[axis]).powi(2)).sum();

@@ -396,6 +396,7 @@ pub const FIELDS: &[Field] = &[
     Field::new("surface.caustics", Kind::Switch, REBUILD).term_with("false", "true", WATER),
     Field::new("surface.self_shadow", Kind::Switch, REBUILD).term_with("false", "true", WATER),
     Field::new("surface.refraction", number(0.0, 2.0, ""), REBUILD).slider(0.0, 2.0),
+    Field::new("surface.metal_reflectance", Kind::Vector(within(0.0, 1.0, "")), REBUILD),
     Field::new("surface.color_by", Kind::Choice(&["speed", "fluid", "density"]), REBUILD),
     Field::new("surface.mesh", Kind::Table, REBUILD),
     Field::new("surface.mesh.cell_ratio", number(0.25, 2.0, ""), REBUILD).slider(0.25, 1.0),

@@ -144,6 +144,9 @@ pub struct Surface {
     pub self_shadow: Option<bool>,
     /// How much of water's refraction bends what is seen through it: 0 none, 1 all.
     pub refraction: f64,
+    /// Makes the fluid a metal: the share of red, green and blue light that it reflects, seen straight on (F0; mercury's is
+    /// [0.78, 0.78, 0.78]). No light passes it, so nothing is refracted, absorbed or bent onto the floor.
+    pub metal_reflectance: Option<[f64; 3]>,
     /// What the colours of `points` tell.
     pub color_by: PointColor,
     /// How a meshed surface is made.
@@ -165,6 +168,7 @@ impl Default for Surface {
             caustics: None,
             self_shadow: None,
             refraction: 1.0,
+            metal_reflectance: None,
             color_by: PointColor::default(),
             mesh: MeshSettings::default(),
             auto: AutoSettings::default(),

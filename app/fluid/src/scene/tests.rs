@@ -221,6 +221,8 @@ fn the_table_has_every_field() {
     };
     // Of files that are not there.
     let mut stiff = stiff;
+    // Which water does not have.
+    stiff.surface.metal_reflectance = Some([0.8; 3]);
     // Of which no model has all.
     stiff.domain.wall =
         Wall { model: WallModel::Penalty, stiffness_per_s2: Some(1.0e4), damping_per_s: Some(100.0), restitution: 0.5 };

@@ -92,7 +92,7 @@ static DRAW_DIFFUSE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/diffuse.hlsl",
-    hash: "d8750673f2af9587011dcfd056fea4cfa54db74da09f75926c53f2cc9231c571",
+    hash: "5c943a670946c066a15b1600fb193c92183c74d6e60b80566eed2cf041fd971e",
 };
 
 static DRAW_DIFFUSE_FRAGMENT: Module = Module {
@@ -105,7 +105,7 @@ static DRAW_DIFFUSE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/diffuse.hlsl",
-    hash: "95af1a9eaab6ecedd549b5203096ea805cff84a8a2cd7338b5f6b07b35515e29",
+    hash: "3ce6869bdbed70c96b1add7a8b955c9849f137a194b59bd347ff2c3403942a4b",
 };
 
 static DRAW_DIFFUSE_VERTEX_WITH_WATER: Module = Module {
@@ -118,18 +118,18 @@ static DRAW_DIFFUSE_VERTEX_WITH_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/diffuse.hlsl",
-    hash: "57789da1767562210865c24e19ce2a3e884d87ea34cf5f33e40f092fba8bb6cb",
+    hash: "c11ee0593a6cd7160638b5a35bb89c6420197cd2903cbc5a9bfd41047d93e309",
 };
 
 static DRAW_DIFFUSE_FRAGMENT_WITH_WATER: Module = Module {
     name: "DrawDiffuse.fragment+WATER",
     entry: "DiffuseFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 9112, bytes: 2644 },
+    spirv: Spirv::Packed { pack: PACK, first: 9112, bytes: 2548 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/diffuse.hlsl",
-    hash: "20431088a8e45ee1d7d3c4e8a5404aa0d69ae0206a6a2d7c3c12b685b8114368",
+    hash: "f9ebb42221b84e6906d8340f66a12d2d7716e8147c805736b097a3dad642cef9",
 };

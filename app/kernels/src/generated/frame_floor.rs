@@ -203,148 +203,148 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "f414bf5bf2b119a6cd7f80242d2060c8fb360d996a95e01517387ea8611dd7c3",
+    hash: "3229aa80e8800c7f88f8e832548a7652e483acc5407ba5e450964198ab18106d",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
     name: "DrawFloor.fragment",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 3128, bytes: 6772 },
+    spirv: Spirv::Packed { pack: PACK, first: 3128, bytes: 6824 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "fbfc1f61ef99e93474d59525b7380c668b66d902e3d92f675b1e79bfde3188de",
+    hash: "25f4978e5de15c8c21fa84231136a9cc5fe9b9f8cf1e9dd4531ed39e37433a66",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 9900, bytes: 16896 },
+    spirv: Spirv::Packed { pack: PACK, first: 9952, bytes: 16932 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "e8658c7817e2bbf48d1d9a7b2bce5b512760c8a3545a9c98676def226c08e2af",
+    hash: "429ec14fff2dd4dc38a8e3e40ca06df8e4914a01caeab80c34f11de15128a48c",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+POINTS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 26796, bytes: 3128 },
+    spirv: Spirv::Packed { pack: PACK, first: 26884, bytes: 3128 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "4fe51d7c3c1a199f562de9138b51b964529eaa950d26fc4f85b02d6e46c0b73a",
+    hash: "993f0347aca4541d2915ce71b72e80bf1e5d0d80829e35370e23f89af117c2a6",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+POINTS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 29924, bytes: 15976 },
+    spirv: Spirv::Packed { pack: PACK, first: 30012, bytes: 16012 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "7707a23d6479f337554cf96ba7e4686a00c55516c3860e7df19f3ab0394441c0",
+    hash: "845b9df8bc932ccdf0d6c6fa49c0a3296524a80810381f14f44fc89ba4d97bc6",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+POINTS_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 45900, bytes: 24208 },
+    spirv: Spirv::Packed { pack: PACK, first: 46024, bytes: 24244 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "23a406059f9eb5b796939b7ecb81f544bfd87ecb19aa5500585478f21a075507",
+    hash: "3c176a144d7af879139de4ee78032c702f93018934798c7de1130e100585d266",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.vertex+WATER_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 70108, bytes: 3128 },
+    spirv: Spirv::Packed { pack: PACK, first: 70268, bytes: 3128 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c73773444356212e653673487863d2903fd596da48a0be51d453d578b9a1331e",
+    hash: "da1a9186d5902dc4a0eb48a1736296f621f1c821d37b83da0ef750f0525d6191",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.fragment+WATER_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 73236, bytes: 11288 },
+    spirv: Spirv::Packed { pack: PACK, first: 73396, bytes: 11244 },
     bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "e882af5bb864992654d338a476495e1b75da8861e5b4ffd7ebbe3f41b39f316a",
+    hash: "475bec465a369406175a7f66d7440bde3f89c6c2b617285b831b402a05f26219",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+WATER_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 84524, bytes: 20608 },
+    spirv: Spirv::Packed { pack: PACK, first: 84640, bytes: 20548 },
     bindings: BINDINGS_8,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "3e65a90cd005adf8ca6c6f57c5d8bf9b793844fce07774e073a46fa5893ca9ed",
+    hash: "15f0e5722dc66959689a33b96020b6566fd36cca548d6fc72506429a4e89c707",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+CAUSTICS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 105132, bytes: 3128 },
+    spirv: Spirv::Packed { pack: PACK, first: 105188, bytes: 3128 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "71bc0d89bcd428242a6c7e3edd4568ac4229e2cb1f304e3b8b360b0f133bd794",
+    hash: "56d933f63c980945865dfdcb330aeaba8150de53a9feb947e186dbddce9503f6",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+CAUSTICS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 108260, bytes: 10320 },
+    spirv: Spirv::Packed { pack: PACK, first: 108316, bytes: 10372 },
     bindings: BINDINGS_9,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "c8e4e9d7562ac4353cf3473f33af424ba62592e51a4b0e71e8a348d4151ceaab",
+    hash: "55a4db78a9e2b8e05c60038db92fe63c5e4be4eb165f7edd364e9a4fd04534ff",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+CAUSTICS_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 118580, bytes: 19992 },
+    spirv: Spirv::Packed { pack: PACK, first: 118688, bytes: 20028 },
     bindings: BINDINGS_10,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "29285ddc84311a18d5fb61f8f8664f0b7ac4d4e4949aea0b2d3d65251431cc14",
+    hash: "f79d117a47b297a215af02bbb7e5b15fc4ed982ff444b67e7b8bc598f6cc3eb8",
 };

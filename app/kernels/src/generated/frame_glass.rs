@@ -149,7 +149,7 @@ static DRAW_GLASS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "c90178db3180cbd7f4b6932c98ffa5a84988ad3ef224986258dff7645493e856",
+    hash: "c046ab7e72e4720be0cb61ec5fb7986d055c076e939f3333191b6784eeb2725f",
 };
 
 static DRAW_GLASS_FRAGMENT: Module = Module {
@@ -162,7 +162,7 @@ static DRAW_GLASS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "8cd951d18cf295ef4e878a829148322c5e87283a0ae14c67480f5ab31eec9a68",
+    hash: "2230f899eea29dc26b584b63621b8744a12d6195ab2c1884d9bce602bde705a7",
 };
 
 static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -175,7 +175,7 @@ static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "627a3e9602c12ddf3ab40ed17ba9845229a578ba541b5c8837b953673b28db32",
+    hash: "7f47f22592b4566f9493f1caaeced8309c58d6e9cc073eea5b851129a0b13f81",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -188,7 +188,7 @@ static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "328acd0c5f3769773ccd8d89adc4867fa5cc758c443570515024571e2ad164d6",
+    hash: "751973de1eb08eebd4c5a6a94d838edf7d72d91d386d8cd90dea551994f6295f",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -201,5 +201,5 @@ static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "d6ce3833a6d7ecf6967c420ec8dc0d6f98216da6aa89a9e912c38326c448c7e9",
+    hash: "779c56c3a206b1e584a54026dc129efc4640acbc3809f67041cd02e62dd1920e",
 };

@@ -194,7 +194,7 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "28c5d96fa58f5e87661b328c6c218381a998cdaf09d83c1a9f9f7cf3b826a4ec",
+    hash: "dd022012687c85590f0662cc57269eeddd30747e202b264834b332d71f4c38af",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
@@ -207,7 +207,7 @@ static DRAW_SOLIDS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "b7a575d5fc1e566c853be0aaf6f56031208983d2caf11d57c68a7e681a63d091",
+    hash: "3a1986b3bc947ffbbf5aefd3d82e19dfec4f2ed931873b1a1ef6101b34184e6f",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
@@ -220,7 +220,7 @@ static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "0e6cce37781379d8b4cfc3d1285acc476eddb2b28b05d1db4b39f216b4fec8e8",
+    hash: "d5cf119eb0a35d6948245ae12ba856136d54b5590f29a38bf63b3a8281726540",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
@@ -233,7 +233,7 @@ static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "460e283aa029b4b8b5678d143cbaf8996196685e550c617a85b51ae56b20dfc9",
+    hash: "0276b54e3f454227135eea3f816b698ebc861935ad3bfe0bdbb6f5fd5ebb576d",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
@@ -246,18 +246,18 @@ static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "986ccb49ed409934fb2c1661efa210d7bea61abc0dc3a0c8a52f98c4add5aeab",
+    hash: "c06d170a3c4ea58737e7ae8bedef8dd4c83b40a8a701e129c1e8d7f55a070d82",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     name: "DrawSolids.fragment+VOLUME_SUN",
     entry: "SolidsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 37300, bytes: 12976 },
+    spirv: Spirv::Packed { pack: PACK, first: 37300, bytes: 12880 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "56a45dfb36a6559e1e465d784e353c67e5c98eb74992429455f5209086401bbf",
+    hash: "47268aab9674e4bf5c58b50ad60d25ef7e07aaad8c9fd22b2a85074e5e5c7d8b",
 };

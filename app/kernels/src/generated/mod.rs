@@ -115,6 +115,7 @@ mod surface_mesh_mark_blocks;
 mod surface_mesh_mesh_depth;
 mod surface_mesh_mesh_normals;
 mod surface_mesh_scatter_bins;
+mod surface_metal;
 mod surface_opaque_planes;
 mod surface_refine_count_edges;
 mod surface_refine_count_rings;
@@ -254,6 +255,7 @@ pub use surface_mesh_mark_blocks::*;
 pub use surface_mesh_mesh_depth::*;
 pub use surface_mesh_mesh_normals::*;
 pub use surface_mesh_scatter_bins::*;
+pub use surface_metal::*;
 pub use surface_opaque_planes::*;
 pub use surface_refine_count_edges::*;
 pub use surface_refine_count_rings::*;
@@ -382,6 +384,7 @@ pub fn modules() -> impl Iterator<Item = &'static crate::Module> {
         surface_mesh_mesh_depth::MODULES,
         surface_mesh_mesh_normals::MODULES,
         surface_mesh_scatter_bins::MODULES,
+        surface_metal::MODULES,
         surface_opaque_planes::MODULES,
         surface_refine_count_edges::MODULES,
         surface_refine_count_rings::MODULES,

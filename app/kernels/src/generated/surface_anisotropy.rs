@@ -80,5 +80,5 @@ static ANISOTROPY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/anisotropy.compute",
-    hash: "2bd6a6ca524b395aa5a7eb63247f4def4b435a6514ccdd9c2bd7b0d6bdaf0f62",
+    hash: "486cba4166f82df9653c99abe4cc86cf79a33147dd645cbe1ef75faae04218d5",
 };

@@ -60,24 +60,24 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     name: "DrawCaustics.vertex",
     entry: "CausticsVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7212 },
+    spirv: Spirv::Packed { pack: PACK, first: 0, bytes: 7116 },
     bindings: BINDINGS_0,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "ba164c90f844555f9adedd782a26defc6f6a25defcc3c82634fcc759cdd7d914",
+    hash: "c7feb0bba8a723d3849ff9a5c1e05ad411f8a54440c38a34aa7743e4a8e9effa",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     name: "DrawCaustics.fragment",
     entry: "CausticsFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 7212, bytes: 876 },
+    spirv: Spirv::Packed { pack: PACK, first: 7116, bytes: 876 },
     bindings: &[],
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "fb9fabf9a9115f1b10a9afd5bf6c06683d761e7d06c1f006bccd2c8dbbb8c544",
+    hash: "6e4bbb91a1f86f542774ce2ceb87f632165deabd1d39ec8bb9acf80bb381d57c",
 };

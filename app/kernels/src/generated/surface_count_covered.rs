@@ -64,5 +64,5 @@ static COUNT_COVERED: Module = Module {
     shared_bytes: 4,
     tier: Tier::Floor,
     source: "surface/count_covered.compute",
-    hash: "6ef2812ba009748dcecf4493321b9b7cdfa0dea93b3d7e05089769b59b2b49ca",
+    hash: "92bb259a6728b1c446cc3a7dd1a1a392fe002e19bdeac9a8da8cd3bada42a14f",
 };

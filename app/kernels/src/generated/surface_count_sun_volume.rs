@@ -72,5 +72,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "51ca6f5c4250c4584ea33ab6455afa4dad81a7e7f56484f2a76ee638c7e31fae",
+    hash: "996cb382c78e2371db44706a09aca005246432d9f8a44a422f413ff2d2a38f89",
 };

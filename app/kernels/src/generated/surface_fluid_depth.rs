@@ -115,7 +115,7 @@ static DRAW_FLUID_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "6408644efaf975ad42c9bec5c01b7f70d08c9eb879b540b8225492b791b9c9c2",
+    hash: "5be386c4c8bc34d19e7fc64ee85425a5353b3a728002d028a64ce3396b130417",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
@@ -128,7 +128,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "d1b71103733fea8f90572425b3c93e8bc980816f0efa2a9c32f04f3f125a11ee",
+    hash: "98dca8b8ab9218bfdea4d46c9f21f974c02b8c11387603c3e0baedeb97b0285c",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -141,7 +141,7 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "d3b9668c554eb73c8e32e918272992a4ac1aa4bbac512ccac283e02a65155e6b",
+    hash: "f94e2735e89943936757656fc8c9e2db1e536978c8a24132fd63677bef70dc75",
 };
 
 static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -154,7 +154,7 @@ static DRAW_FLUID_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "6270daccbf3f09043df46f7e23171a644edf8f178f7e58d9400093d341894dd6",
+    hash: "c9f45f27bcca029f54370c261916ac330faa6b4985ece0dc74782ed5da2b6c69",
 };
 
 static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -167,5 +167,5 @@ static DRAW_FLUID_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/fluid_depth.hlsl",
-    hash: "1a910acb84636e3cd700256786f4506eebbf792898353a1a27987b5612775860",
+    hash: "52c7a90ae496d60c1e0f48c60d25365983a0a49784aae7bece9961da3a399f91",
 };

@@ -171,12 +171,8 @@ pub struct WaterStyle {
     pub scatter_per_m: f32,
     /// of the highlight, GGX
     pub roughness: f32,
-    /// `float`.
-    pub reserved0: f32,
-    /// `float`.
-    pub reserved1: f32,
-    /// `float`.
-    pub reserved2: f32,
+    /// of a metal, at normal incidence; water has WATER\_F0
+    pub reflectance: [f32; 3],
 }
 const _: () = {
     assert!(offset_of!(WaterStyle, absorption_per_m) == 0);
@@ -184,8 +180,6 @@ const _: () = {
     assert!(offset_of!(WaterStyle, scatter_color) == 16);
     assert!(offset_of!(WaterStyle, scatter_per_m) == 28);
     assert!(offset_of!(WaterStyle, roughness) == 32);
-    assert!(offset_of!(WaterStyle, reserved0) == 36);
-    assert!(offset_of!(WaterStyle, reserved1) == 40);
-    assert!(offset_of!(WaterStyle, reserved2) == 44);
+    assert!(offset_of!(WaterStyle, reflectance) == 36);
     assert!(size_of::<WaterStyle>() == 48);
 };

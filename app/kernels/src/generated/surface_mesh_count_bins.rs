@@ -106,7 +106,7 @@ static COUNT_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "31c80a61fd07e09a42d827c77182a4c71adf97b0ac4dd8d33e178cf2ff82285c",
+    hash: "7afcf42bf778508b4d057c5db0b7d7383b3b21267e99299db7c8d384281d2acf",
 };
 
 static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -119,5 +119,5 @@ static COUNT_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/count_bins.compute",
-    hash: "9b581cfcdf82be6b0c8e88d44d5bc1d109e445abd0028b7d322332a0087f0b98",
+    hash: "9f92c310bb305f666007458e64e37cbde75e3f0aff9dc0b256bfb6531bb176d8",
 };

@@ -103,7 +103,7 @@ static SCATTER_BINS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "eea7d8e25dd39b9649b6b1060be3f1dd45a48a649ff0034a8664bb68e8223c4e",
+    hash: "8a53b408961655617e9d557b5def77bb197dac47b6ac377453f1bdb191ee8592",
 };
 
 static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
@@ -116,5 +116,5 @@ static SCATTER_BINS_WITH_ANISOTROPIC: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/mesh/scatter_bins.compute",
-    hash: "f735a68f4bbcda1ba6fd882fffb66680af45021744948ddecab9a0201b24a28a",
+    hash: "8ee71d4b5048a0f31acbfa349e9b94dd519fcbb8f93f5848310d7521e1c9ca3e",
 };

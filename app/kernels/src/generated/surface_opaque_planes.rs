@@ -62,7 +62,7 @@ static DRAW_OPAQUE_PLANES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "e1fd84b18f0db3a6d7a18d20892b386d5d7bef101811fa95fb7b1a5f9d0ebbaf",
+    hash: "62cd7e70f71b05ee217bf19524acc35e05394a71b957656d8f0e59df7f98b83f",
 };
 
 static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "cd6f4d8ebc4fda3067882eb6543358148020f36b723a849e59215472663c9450",
+    hash: "77ce19eabfacfaac85b933a0f4904793d69a6188bb06d9f855a7a8966f2a1640",
 };

@@ -73,5 +73,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "5ac25860acc4808c167fa7f6a4799aa2b22e75df6f2a671cc463812d84ab8cc3",
+    hash: "a38e2839499a986c9b9a6bb638d53069f2f93276994fbaa800dd9ee57f2ecdc3",
 };

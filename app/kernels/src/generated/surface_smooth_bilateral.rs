@@ -81,7 +81,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "15495ec42cbebf0e2b6a0b618098df91df2492f70fb208aaf28e6919e0aacf94",
+    hash: "75f89da5b79e0702c7268fe9f2130ebb17fdcbb4f2a5e04bbbae7442440bc1f1",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -94,7 +94,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "6b3c8a1e56632ccce07697a167e4791d04e08c38b52bdb9aa11689f46c80ded2",
+    hash: "cd763c0ea1c1b74a69e19ae891b65a12e41a8861c3f4ac2ee03e5583faabee85",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "a07a25b92829854b44d1d8a11de3d6a8ce00e91d2da888743ea93b9d892a06b3",
+    hash: "3e6087a1915cea69323478388dea05b1f58d16b3dae8a6ca5493f52d17efcb10",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "6dbc4d811b818161f73c113bdfa1fd859be60361fd36440f96dd6a759567b39f",
+    hash: "d6457e28296f7d65ad058e1bafbe90200ec3974ff38479c00830f2f11c6231c9",
 };

@@ -65,7 +65,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "fade8515ac6bab42baf56712f535df2f144088ac27b7c2f50c6d5e5632b9737d",
+    hash: "7358b6c97c8e97117dfe3a8c716345fee968bcc7e3f3b3ad01571cbdf03dc374",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "f0cb9739c4a05ad0181a87c364e35c64d2002706423c948c4c36b546ea263ee8",
+    hash: "e2297f5a9245730cb747e3dad73e17c3b221c78c089b79086624dc0b76a73f25",
 };

@@ -78,7 +78,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "2456490f67476c87b5926bbf1dcd717a68eb6ad991fc22365b517be1bcabe8b5",
+    hash: "7881386afdad78b80ef57e3d54bfc680bf158a7110dad78a54bfb45e1088a115",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "36893497f36582d8d16de03a335016eabd45e79f820c4a928de759a6a7c1f0d1",
+    hash: "febf5a0debc89344630fbd2777d2dfba03a1a8b3ded560663902d98c5c2c43d6",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -104,5 +104,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "4e4b9470c971b3eb96ef67880b28b14fb606a6a3fc071717c9a73f1f38093c05",
+    hash: "41996d0ff0d3db9f3e05c23108b1362b27ece4f79db185208b7ac7066dfbd9ff",
 };

@@ -82,7 +82,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "b83802cca0b1f18a6cf2ec20042bd8c4d50e5bcb8f0b0dbe1d9fb1cbc8643722",
+    hash: "b04465b0d179f17210a043c0eae839b58dfb1fc3317fcf4e793be2a4fcd26b97",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -95,7 +95,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "b1279ebdc5a0067f624efa6f56ba4b16a01bcedb2a06e0f3824148069c2d133c",
+    hash: "0fcf3b966f86aa2616b01872e0946e134321ab0e277188e399b3ba81b495d0e2",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -108,7 +108,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "a5ebb0141a947260e0d8b82ab1babc214696d16149d72a13f064a51e1b12a86a",
+    hash: "858cf55ee961271ad72ccc99701d0a75e6b0f5976ad15764eaac18909bc163e1",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -121,5 +121,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "60c02e8af41161a6b981ec3ba87bc507a6b14d32881d5231c0ac44ee819e6bdf",
+    hash: "ed1b9c8504130249596c8af3dd31ec812c8a00de2b34732c35523e57873972b5",
 };

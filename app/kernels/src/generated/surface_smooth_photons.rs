@@ -87,7 +87,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "705c547f86c044ce6de5ed9e06025ce254ea72772d43615d6edb7431a91ce120",
+    hash: "00d0dcd0b67bbe446d0b0a3869cc2fb5daa224a7fcd919fb48daff5c0e54565a",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "63261b157f221a39f883e548530bdb646ae357ca634e367bd0b34a6da7c613bb",
+    hash: "faa7f6694021aed83a09dcc49746e21c845e6744f84ec8c0a1e3118d914565e5",
 };

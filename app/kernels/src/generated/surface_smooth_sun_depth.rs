@@ -80,7 +80,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "852eee48605879956263acbbb484fbfa82e961f6ac0026901a50e1f2c817a1d9",
+    hash: "01e59b10173ed2621030229c2d9e021cc21c5bfc4129550a4e33315f124ced76",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -93,7 +93,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "a3739688c19011f18f1408ac20812440b6565269fbc098511d670ae4e52753c5",
+    hash: "b528ce729bc64c8edebf69ee5b3e0e27a93c4d5411cccefaf80a841ffabbc8d6",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -106,5 +106,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "21d630ed510de879be14c724f61bd82a4e17e6dd83a0f4c0c83900c9468f5410",
+    hash: "47015b6e48b47c05f542e07c17738993757e302b225519f6e70d6512a955a5ba",
 };

@@ -67,5 +67,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "356b49ced9be47a9d03cb3cb02bae25d75fd710d60c9ee922573c8c9b5965422",
+    hash: "6236b159d069910852b4720023d472225c5fcff1dd051fa70c249bb6e70a142e",
 };

@@ -117,7 +117,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "1e29b64800719fc8122c8c8c655497df5343522468eab247efaa475da3e43d28",
+    hash: "e820c7702f45f31ddb46675b145103a31fc865b94a46ead704329eab656fd574",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "5562692fb495bce3bcb6491cf435098106cd8642174309279c99f0541aefc52d",
+    hash: "bc7c00f9c31752deda7ae57f76fde5bbb089428d70e461015fc004aebd494c19",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "588134f2202668e099fa5e96fdcc964cd5ba0ec3623f03b201e0494c594e8513",
+    hash: "6d50627de3930fb6c5800edacdb7bd0318fedeacb88e054e0f7fdd70982ea99b",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "a2d9c47e1d4b7e086919f599f5382b1b90124b9016145a91991479fe6008195f",
+    hash: "3e9647e0cd925efed814a76a11b46c928658f53945bd6511b753c82cc8b17545",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -169,5 +169,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "aae49e7dd8aa2db0784d735dfe24709cb24831e54e52d1dd0af572eaf8e6d696",
+    hash: "27fb426511b6a92606683df53fc1b0f89305f6ebf2a197fe36747862f035bed7",
 };

@@ -88,7 +88,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "596ab83e339eed29a8e43f07571c9381095bdea971af56921b981ffbecd551ab",
+    hash: "48f9af399ecc3e7f7472e576ac54307b188795ea4e653a7840cee00efcf59987",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "be2057897da5c2f4b18aa2f2b80c74dfc0c1448a4fb978a570d3c852b097e269",
+    hash: "bcbf645e5b93f785119392668512461051cfb78c7aeb74a3a86d5b93a4f483b6",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "20b171540ea3f575b5dc80c112f20aa1b696cc74940dd5addb29ef7c8b6092b1",
+    hash: "e4d5ea8aea71ff80ba896ef637f921470390d5747148d6fdde527f14431efacb",
 };

@@ -62,7 +62,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "b775ff617e5841ba31470a5d486650995c14f1565900a984fe32014542a7b93c",
+    hash: "743773542dd5fd8280b9cdf5dbc984732bf71bdeb8f414bfcbfef4656b6ad8c7",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "db9fd4d8eeb458fd3d7c614dc3ad4c3ebd2b56f7d6228c36e7157eeaff0b2cc9",
+    hash: "38b9e01cb74139a03dd468ca495e85bb03b07c4be3ba6c7e13aee8529e3b5f21",
 };

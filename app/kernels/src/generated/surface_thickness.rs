@@ -94,7 +94,7 @@ static DRAW_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "2a89b29afaade22c9c473edbacc768347106614cf830ff99380d720f6ec2c2c0",
+    hash: "ae08f4c70c52f8a110ee4fe43f47b0602e4d2c26010198cfe5750caba5079be2",
 };
 
 static DRAW_THICKNESS_FRAGMENT: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "5d6314581c702788cb05b4c1a595c7043ded3b7985426e126e43663cbbb0bb97",
+    hash: "23e70b42eb53ea97899ee234e076e49930e493d3d552cc6b949750a2c13b093a",
 };
 
 static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/thickness.hlsl",
-    hash: "9a8460a9250467a51f9db5006347d0e48c59f51e76258a5491dfce3cd60d9c7d",
+    hash: "5b84756a5db5f532314863dc72e2bebda9fb742d30190eed13c0663ec41c9ac6",
 };

@@ -259,148 +259,148 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "db74c1fb15f178834c624852a0d7b991bcb4ce81958e7f6b30281742c8934367",
+    hash: "275d099d29284905adddcd2cd221e8b04fa6cffe784b151e45a4d019cbdcb834",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
     name: "DrawWater.fragment",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 1716, bytes: 15296 },
+    spirv: Spirv::Packed { pack: PACK, first: 1716, bytes: 15224 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "47e29d5789f17c019dff1ae1e0a34dce5e317cbfe31446706bc6f12deae04307",
+    hash: "0d1f326e78da31a6dc9f0e4ad5d1de4083aa5ba99f6036e1c926cd4483f1e960",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 17012, bytes: 19088 },
+    spirv: Spirv::Packed { pack: PACK, first: 16940, bytes: 19016 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "b75ce7143daaf9a170f858c56bc218342256098873b2f83436580a97f67dea7e",
+    hash: "6d0e1bb858a1fc6a559367d967ae749161d42118a54ff75c49e48f5451a1e9ae",
 };
 
 static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.vertex+SELF_SHADOW",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 36100, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 35956, bytes: 1716 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "bef9d5da7a3e281c7207744a9a00922b54fb95a29fbb4653129c93223e884c01",
+    hash: "ac119127b8dea1955315f1c9aee4e487d57e683047773bc7ce45a6beb8c84627",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.fragment+SELF_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 37816, bytes: 18112 },
+    spirv: Spirv::Packed { pack: PACK, first: 37672, bytes: 18040 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "ad3a315c0ba696806bfdba64d26ba4d7725715e0f25fc1ded5237959e58dce95",
+    hash: "1ecb545583e630542c475adc17348b7ad624351caa663d448a525234cc3ccdde",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+SELF_SHADOW+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 55928, bytes: 21632 },
+    spirv: Spirv::Packed { pack: PACK, first: 55712, bytes: 21560 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "889939dd675b19e9fad29ca9ac53868d0fd1f183c0b58b28af16d947f8df90a3",
+    hash: "5197176f3fbb699bc7fbe1f49531797a0054e1f870361344b8a587e62d57cc0e",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     name: "DrawWater.vertex+MESH_NORMALS",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 77560, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 77272, bytes: 1716 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "1be677a5f7db608a1d57607241b6885f35068e2a8d33c2d22ef33297db61304d",
+    hash: "23ab33ef17e0f041925bc00a5830ea1c20b424679df02acba80b6df1956bc557",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 79276, bytes: 12296 },
+    spirv: Spirv::Packed { pack: PACK, first: 78988, bytes: 12224 },
     bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "99ca7c67494fdfaec6086e98570613482511799529f945f177217c7623fdf17a",
+    hash: "fe19ffa88ef1380338d9e739402c52d00a7aa38e839f5d569e97ce7a2d5a5cc9",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 91572, bytes: 16104 },
+    spirv: Spirv::Packed { pack: PACK, first: 91212, bytes: 16032 },
     bindings: BINDINGS_8,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "0a015407abb6bd975c3f97bbf04279cd3b59a0c54c79f6712dc3e0c40b5761b1",
+    hash: "4da2b8345962403e54f9c7404182f8c5a9eaf506e4f37410dce3c3df13db55c0",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.vertex+MESH_NORMALS+SELF_SHADOW",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 107676, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 107244, bytes: 1716 },
     bindings: BINDINGS_9,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "400abcb32d4d420090b94ef932a9a578d31db6f5e3917ecad4e2ddad1044a3e5",
+    hash: "e22ea2c595befeb0c62d3209b759db9493d5c4aa8f06900b82407df65b7b4f94",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SELF_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 109392, bytes: 15112 },
+    spirv: Spirv::Packed { pack: PACK, first: 108960, bytes: 15040 },
     bindings: BINDINGS_10,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "a6e928db0df971b891172237b1264a7aaa15a0e4d465aff1b6aef7015c2001c4",
+    hash: "7708da362692afd4a6e9b10d8ba8a20142d7ec704a0746b74c5d749e89cbd628",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SELF_SHADOW+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 124504, bytes: 18648 },
+    spirv: Spirv::Packed { pack: PACK, first: 124000, bytes: 18576 },
     bindings: BINDINGS_11,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "3da75f0e2e6cbe93f16a9d3b304f0b6ea2303c3d771ea473ae8747721d0285d8",
+    hash: "e6e0d2f8273fb6eb24562b76e0c19ec06987c9d09339f34c62573686b39c4d3d",
 };

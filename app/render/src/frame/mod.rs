@@ -414,9 +414,14 @@ impl Frame<'_> {
         let (eye, opaque_planes) =
             screen_space::record_thickness(self.resources, self.recording, &shapes, &surface.params, looks);
         let solids_shadow_map = self.solids.and_then(SolidPasses::shadow_map);
-        let water =
-            Water { surface: &surface, thickness: &eye, style: &style, sun_volume: volume.as_ref(), solids_shadow_map };
-        let seen = screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth));
+        let seen = if options.metal_reflectance.is_some() {
+            let (onto, metal) = ((depth, solids_shadow_map), (&surface, &style, &sun));
+            screen_space::record_metal(self.resources, self.recording, uniforms, metal, onto)
+        } else {
+            let sun_volume = volume.as_ref();
+            let water = Water { surface: &surface, thickness: &eye, style: &style, sun_volume, solids_shadow_map };
+            screen_space::record_water(self.resources, self.recording, uniforms, &water, (radiance, depth))
+        };
         let (inverse_depth, style) = (&surface.inverse_depth, &style);
         let diffuse_light =
             self.diffuse((&seen, depth), Some(&DiffuseWater { inverse_depth, style, solids_shadow_map }));

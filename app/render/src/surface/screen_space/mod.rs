@@ -6,6 +6,7 @@
 
 pub mod anisotropy;
 mod caustics;
+mod metal;
 mod options;
 mod shapes;
 mod smoothing;
@@ -24,6 +25,7 @@ use super::marching_cubes::{self, MarchingCubesOptions};
 use crate::formats;
 pub use caustics::Caustics;
 pub(crate) use caustics::{Sunlit, record as record_caustics};
+pub(crate) use metal::record as record_metal;
 pub use options::ScreenSpaceOptions;
 pub(crate) use shapes::Shapes;
 pub use sun_volume::SunVolume;

@@ -39,6 +39,9 @@ pub struct ScreenSpaceOptions {
     pub absorption_per_m: DVec3,
     /// How much of water's refraction bends what is seen through it: 0 none, 1 all.
     pub refraction: f64,
+    /// Of a fluid of metal, the share of red, green and blue light that it reflects at normal incidence. No light passes
+    /// it: what is seen through water, and what makes that, is not there.
+    pub metal_reflectance: Option<DVec3>,
     /// Photons a side of the grid over the sun's map that make caustics on the floor, up to 1024; 0 casts a
     /// tinted shadow instead, and no pass, buffer or code of caustics is there.
     pub photons: u32,
@@ -55,6 +58,8 @@ const CLAMP_RADII: f64 = 1.0;
 const MOST_REACH_PX: u32 = 64;
 /// Clear water in a small tank, for a domain whose diagonal is 1 m; what is taken grows with size.
 const ABSORPTION: DVec3 = DVec3::new(7.0, 1.7, 0.75);
+/// What a metal takes of light over a spacing: e^-3 is left, in its shadow.
+const OPAQUE: f64 = 3.0;
 /// What thick water shows of its own, and how soon.
 const SCATTER_COLOR: [f32; 3] = [0.006, 0.065, 0.130];
 const SCATTER: f64 = 1.8;
@@ -73,6 +78,9 @@ impl ScreenSpaceOptions {
         let (surface, spacing_m) = (&scene.surface, scene.fitted_spacing_m());
         let size_m = DVec3::from(scene.domain.size_m());
         let radius_m = surface.radius_ratio * spacing_m;
+        let is_metal = surface.metal_reflectance.is_some();
+        let clear = if is_metal { DVec3::splat(OPAQUE / spacing_m) } else { ABSORPTION / size_m.length() };
+        let light_of_its_own = tier == Tier::Desktop && !is_metal;
         Self {
             spacing_m,
             radius_m,
@@ -86,10 +94,11 @@ impl ScreenSpaceOptions {
             range_m: RANGE_RADII * radius_m,
             clamp_m: CLAMP_RADII * radius_m,
             thickness_divisor: 2,
-            absorption_per_m: surface.absorption_per_m.map_or(ABSORPTION / size_m.length(), DVec3::from),
+            absorption_per_m: surface.absorption_per_m.map_or(clear, DVec3::from),
             refraction: surface.refraction,
-            photons: if surface.caustics.unwrap_or(tier == Tier::Desktop) { PHOTONS } else { 0 },
-            self_shadow: surface.self_shadow.unwrap_or(tier == Tier::Desktop),
+            metal_reflectance: surface.metal_reflectance.map(DVec3::from),
+            photons: if surface.caustics.unwrap_or(light_of_its_own) { PHOTONS } else { 0 },
+            self_shadow: surface.self_shadow.unwrap_or(light_of_its_own),
         }
     }
 
@@ -122,6 +131,10 @@ impl ScreenSpaceOptions {
         }
         if !(0.0..=2.0).contains(&self.refraction) {
             return Err(RenderError::not_allowed("refraction", self.refraction, "0 to 2 are allowed"));
+        }
+        let shares = self.metal_reflectance.unwrap_or_default();
+        if !(shares.is_finite() && shares.min_element() >= 0.0 && shares.max_element() <= 1.0) {
+            return Err(RenderError::not_allowed("metal_reflectance", shares.to_array(), "0 to 1 are allowed"));
         }
         if self.photons > 1024 {
             return Err(RenderError::not_allowed("photons", self.photons, "0 to 1024 are allowed"));
@@ -162,7 +175,7 @@ impl ScreenSpaceOptions {
             scatter_color: SCATTER_COLOR,
             scatter_per_m: (SCATTER / ABSORPTION.x * self.absorption_per_m.x) as f32,
             roughness: ROUGHNESS,
-            ..WaterStyle::default()
+            reflectance: self.metal_reflectance.unwrap_or_default().as_vec3().into(),
         }
     }
 }
