@@ -22,6 +22,12 @@ float3 SkyRadiance(FrameLight light, float3 direction)
     return SkyGradient(light, direction) + glow * light.sun_color;
 }
 
+// Light of the sky on the floor.
+float3 AmbientOnFloor(FrameLight light)
+{
+    return 1.5 * lerp(light.sky_horizon, light.sky_zenith, 0.4);
+}
+
 // x to the power of 64.
 float Power64(float x)
 {

@@ -116,7 +116,7 @@ float4 FloorFragment(Varyings input) : SV_Target0
     sun *= past;
 #endif
     float3 up = float3(0.0, 1.0, 0.0);
-    float3 ambient = 1.5 * lerp(light.sky_horizon, light.sky_zenith, 0.4);
+    float3 ambient = AmbientOnFloor(light);
     float3 color = albedo * (light.to_sun.y * arriving * light.sun_color * 0.75 + ambient * (0.55 + 0.2 * sun));
 
     color = lerp(color, SkyGradient(light, reflect(direction, up)), Fresnel(0.04, -direction.y));

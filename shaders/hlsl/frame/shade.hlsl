@@ -5,7 +5,7 @@
 #pragma multi_compile _ SOLIDS_SHADOW
 
 #include "../shared/layout.hlsli"
-#include "camera.hlsli"
+#include "covering_ray.hlsli"
 #include "environment.hlsli"
 #include "palette.hlsli"
 #if defined(SOLIDS_SHADOW)
@@ -27,19 +27,9 @@ ConstantBuffer<FrameStyle> style;
 Texture2D<float> solids_shadow_map;
 #endif
 
-struct Varyings
-{
-    float4 position : SV_Position;
-    [[vk::location(0)]] float3 ray : TEXCOORD0;
-};
-
 Varyings ShadeVertex(uint vertex : SV_VertexID)
 {
-    float2 corner = CoveringCorner(vertex);
-    Varyings output;
-    output.position = float4(corner, 0.0, 1.0);
-    output.ray = RayThrough(view, corner);
-    return output;
+    return CoveringRay(view, vertex);
 }
 
 // Share of the sun that reaches a particle: it fades with the depth of fluid in front of it, as

@@ -2,25 +2,15 @@
 #pragma vertex SkyVertex
 #pragma fragment SkyFragment
 
-#include "camera.hlsli"
+#include "covering_ray.hlsli"
 #include "environment.hlsli"
 
 ConstantBuffer<FrameView> view;
 ConstantBuffer<FrameLight> light;
 
-struct Varyings
-{
-    float4 position : SV_Position;
-    [[vk::location(0)]] float3 ray : TEXCOORD0;
-};
-
 Varyings SkyVertex(uint vertex : SV_VertexID)
 {
-    float2 corner = CoveringCorner(vertex);
-    Varyings output;
-    output.position = float4(corner, 0.0, 1.0);
-    output.ray = RayThrough(view, corner);
-    return output;
+    return CoveringRay(view, vertex);
 }
 
 float4 SkyFragment(Varyings input) : SV_Target0

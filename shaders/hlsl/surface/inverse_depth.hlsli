@@ -14,6 +14,12 @@ float InverseDepthAt(Texture2D<float> inverse_depth, float2 size_px, int2 pixel)
     return inside ? inverse_depth.Load(int3(pixel, 0)) : 0.0;
 }
 
+// Whether a surface is there, and nothing opaque of the scene before it: reversed depth is near / distance.
+bool IsBeforeScene(Texture2D<float> scene_depth, FrameView view, int2 pixel, float here)
+{
+    return here > 0.0 && scene_depth.Load(int3(pixel, 0)) <= 1.0005 * view.near_m * here;
+}
+
 // A small difference of distance as one of inverse_depth: d(1/z) = dz / z^2. Never more than half the
 // inverse_depth itself, so that what is near the eye keeps apart from nothing at all.
 float InverseDepthDifference(float distance_m, float inverse_depth)

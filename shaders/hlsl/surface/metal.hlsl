@@ -11,7 +11,7 @@
 #include "inverse_depth.hlsli"
 #include "normal.hlsli"
 #include "reflection.hlsli"
-#include "../frame/camera.hlsli"
+#include "../frame/covering_ray.hlsli"
 #include "../frame/floor_tiles.hlsli"
 #if defined(SOLIDS_SHADOW)
 #include "../frame/sun_past.hlsli"
@@ -33,48 +33,30 @@ ConstantBuffer<WaterStyle> water;
 Texture2D<float> solids_shadow_map;
 #endif
 
-struct Varyings
-{
-    float4 position : SV_Position;
-    [[vk::location(0)]] float3 ray : TEXCOORD0;
-};
-
 Varyings MetalVertex(uint vertex : SV_VertexID)
 {
-    float2 corner = CoveringCorner(vertex);
-    Varyings output;
-    output.position = float4(corner, 0.0, 1.0);
-    output.ray = RayThrough(view, corner);
-    return output;
+    return CoveringRay(view, vertex);
 }
 
 // What a mirrored ray meets: the sky, or the floor with its tiles and with the fluid's shadow on it.
 float3 Mirrored(float3 position_m, float3 direction)
 {
-    float3 sky = SkyRadiance(light, direction) + Windows(light, direction);
     float down = max(-direction.y, 1e-4);
-    float away_m = max(position_m.y, 0.0) / down;
-    float3 floor_m = position_m + direction * away_m;
+    float3 floor_m = position_m + direction * (max(position_m.y, 0.0) / down);
     float2 at = floor_m.xz / style.tile_m;
     float3 albedo = FloorAlbedo(style, at, fwidth(at));
     float spacings = sun_thickness.SampleLevel(sampler_linear_clamp, ShadowPosition(light, floor_m).xy, 0.0);
     float3 sun = light.to_sun.y * light.sun_color * exp(-water.absorption_per_m * spacings * surface.spacing_m);
     // What mirrors the floor hides the sky from it, the more the steeper it looks down.
-    float open = 1.0 - 0.6 * down;
-    float3 ambient = 1.5 * lerp(light.sky_horizon, light.sky_zenith, 0.4);
-    float3 floor_light = albedo * (0.75 * sun + 0.75 * open * ambient) * FloorLight(style, floor_m);
-    // The floor melts into the horizon as it does in the picture.
-    float fade = exp(-away_m * away_m / (style.floor_fade_m * style.floor_fade_m));
-    return lerp(sky, floor_light, smoothstep(0.0, 0.04, -direction.y) * fade);
+    float3 ambient = (1.0 - 0.6 * down) * AmbientOnFloor(light);
+    float3 floor_light = albedo * (0.75 * sun + 0.75 * ambient) * FloorLight(style, floor_m);
+    return SkyOrFloor(light, style, position_m, direction, floor_light);
 }
 
 float4 MetalFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
     float here = InverseDepthAt(inverse_depth, view.size_px, pixel);
-    // Reversed depth is near / distance: what is opaque there may be nearer. All that are seen are shaded to the end, so that
-    // their neighbours know how far apart they see the floor.
-    bool is_seen = here > 0.0 && scene_depth.Load(int3(pixel, 0)) <= 1.0005 * view.near_m * here;
     float3 position_m = view.eye_m + input.ray / max(here, 1e-12);
     float3 to_eye = -normalize(input.ray);
 #if defined(MESH_NORMALS)
@@ -83,12 +65,12 @@ float4 MetalFragment(Varyings input) : SV_Target0
     float3 normal = NormalAt(inverse_depth, view, pixel, here, surface.range_m);
 #endif
     float3 mirrored = Fresnel(water.reflectance, dot(normal, to_eye)) * Mirrored(position_m, reflect(-to_eye, normal));
-    float3 f = Fresnel(water.reflectance, dot(normalize(light.to_sun + to_eye), light.to_sun));
-    float3 glint = SunGlint(light, water.roughness, normal, to_eye, f);
+    float3 glint = SunGlint(light, water.roughness, normal, to_eye, water.reflectance);
 #if defined(SOLIDS_SHADOW)
     glint *= SunPastNear(solids_shadow_map, light, position_m, 0.0);
 #endif
-    if (!is_seen)
+    // Last: `fwidth` asks what neighbours see of the floor.
+    if (!IsBeforeScene(scene_depth, view, pixel, here))
         discard;
     return float4(mirrored + glint, 1.0);
 }

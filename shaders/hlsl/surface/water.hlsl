@@ -9,6 +9,7 @@
 #include "inverse_depth.hlsli"
 #include "normal.hlsli"
 #include "water_shading.hlsli"
+#include "../frame/covering_ray.hlsli"
 #if defined(SELF_SHADOW)
 #include "sun_volume.hlsli"
 #endif
@@ -37,19 +38,9 @@ ConstantBuffer<WaterStyle> water;
 Texture2D<float> solids_shadow_map;
 #endif
 
-struct Varyings
-{
-    float4 position : SV_Position;
-    [[vk::location(0)]] float3 ray : TEXCOORD0;
-};
-
 Varyings WaterVertex(uint vertex : SV_VertexID)
 {
-    float2 corner = CoveringCorner(vertex);
-    Varyings output;
-    output.position = float4(corner, 0.0, 1.0);
-    output.ray = RayThrough(view, corner);
-    return output;
+    return CoveringRay(view, vertex);
 }
 
 // The scene where a point is seen: what is opaque and in front of the water is not behind it. The refracted line that
@@ -73,8 +64,7 @@ float4 WaterFragment(Varyings input) : SV_Target0
 {
     int2 pixel = int2(input.position.xy);
     float here = InverseDepthAt(inverse_depth, view.size_px, pixel);
-    // Reversed depth is near / distance: what is opaque there may be nearer.
-    if (here <= 0.0 || scene_depth.Load(int3(pixel, 0)) > 1.0005 * view.near_m * here)
+    if (!IsBeforeScene(scene_depth, view, pixel, here))
         discard;
     WaterPoint point_;
     point_.position_m = view.eye_m + input.ray / here;

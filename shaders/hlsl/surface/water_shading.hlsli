@@ -32,13 +32,6 @@ float3 RefractedEnd(WaterStyle water, WaterPoint point_)
     return point_.position_m + direction * min(point_.thickness_m, to_floor_m);
 }
 
-// The sun's highlight.
-float3 SunHighlight(FrameLight light, WaterStyle water, WaterPoint point_)
-{
-    float f = Fresnel(WATER_F0, dot(normalize(light.to_sun + point_.to_eye), light.to_sun));
-    return SunGlint(light, water.roughness, point_.normal, point_.to_eye, f) * point_.sunlight;
-}
-
 // What the water shows of its own: light of sun and sky scattered back from inside.
 float3 WaterGlow(FrameLight light, FrameStyle style, WaterStyle water, WaterPoint point_)
 {
@@ -58,7 +51,7 @@ float3 WaterRadiance(FrameLight light, FrameStyle style, WaterStyle water, Water
     float milky = exp(-water.scatter_per_m * point_.thickness_m);
     float3 inside = lerp(WaterGlow(light, style, water, point_), behind * passed, milky);
     return (1.0 - f) * inside + f * Surroundings(light, style, point_.position_m, mirrored)
-        + SunHighlight(light, water, point_);
+        + SunGlint(light, water.roughness, point_.normal, point_.to_eye, WATER_F0) * point_.sunlight;
 }
 
 #endif

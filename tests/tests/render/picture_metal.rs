@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use brooklet_fluid::{Scene, record};
-use brooklet_gpu::{Plan, Resources};
-use brooklet_render::{FrameOptions, Particles, ScreenSpaceOptions, SurfaceOptions, View, frame};
+use brooklet_fluid::Scene;
+use brooklet_fluid::scene::Smoothing;
+use brooklet_render::{FrameOptions, ScenePlan};
 use brooklet_tests::gpu;
 use glam::DVec3;
 
-use crate::support::{Picture, Sphere, draw, options, sphere, view};
+use crate::picture_water::water;
+use crate::support::{Picture, Sphere, draw, sphere, view};
 
 fn scene(settings: &[&str]) -> Result<Scene, String> {
     let small = ["spacing_m=0.1", "outputs.width_px=32", "outputs.height_px=32", "forces.xsph=0"];
@@ -17,16 +18,8 @@ fn scene(settings: &[&str]) -> Result<Scene, String> {
 }
 
 fn drawn_stages(settings: &[&str]) -> BTreeSet<&'static str> {
-    let scene = scene(settings).expect("a scene");
-    let mut resources = Resources::new();
-    let recorded = record(&mut resources, &scene);
-    let options = FrameOptions::for_scene(&scene, gpu().tier());
-    let passes = frame::record(&mut resources, &View::of_scene(&scene), &Particles::of(&recorded), &options);
-    let passes = passes.expect("a frame");
-    let mut recordings = recorded.recordings();
-    recordings.extend([passes.init, passes.draw]);
-    let plan = Plan::sweep(resources, recordings, &[passes.color.id]).expect("a plan");
-    plan.passes().iter().map(|pass| pass.stage).collect()
+    let planned = ScenePlan::new(&scene(settings).expect("a scene"), gpu().tier()).expect("a plan");
+    planned.session.plan.passes().iter().map(|pass| pass.stage).collect()
 }
 
 #[test]
@@ -78,22 +71,9 @@ fn ball(reflectance: DVec3) -> Picture {
         .map(|at_m| sphere(at_m.x, at_m.y, at_m.z, 0))
         .collect();
     assert!(spheres.len() > 100);
-    let scene = scene(&[]).expect("a scene");
-    let surface = ScreenSpaceOptions {
-        spacing_m: 0.06,
-        radius_m: 0.05,
-        wall_bounds_m: [DVec3::ZERO, DVec3::new(2.0, 1.0, 1.0)],
-        anisotropic: false,
-        support_m: 0.12,
-        smoothing_m: 0.12,
-        range_m: 0.15,
-        clamp_m: 0.05,
-        metal_reflectance: Some(reflectance),
-        photons: 0,
-        self_shadow: false,
-        ..ScreenSpaceOptions::for_scene(&scene, gpu().tier())
-    };
-    let options = FrameOptions { surface: SurfaceOptions::ScreenSpace(surface), edges: false, ..options() };
+    let mut options = FrameOptions { edges: false, ..water(Smoothing::NarrowRange) };
+    let surface = options.surface.water_mut().expect("a surface");
+    (surface.metal_reflectance, surface.photons) = (Some(reflectance), 0);
     draw(&view([160, 90]), &options, &spheres)
 }
 
@@ -101,19 +81,17 @@ fn ball(reflectance: DVec3) -> Picture {
 #[test]
 fn a_metal_mirrors_its_own_share_of_each_colour() {
     let [white, red] = [DVec3::ONE, DVec3::X].map(ball);
-    let inside = |picture: &Picture, channel: usize, within: [f64; 2]| {
-        let pixels = (0..160 * 90).map(|i| (i % 160, i / 160)).filter(|&(x, y)| {
-            let away_px = f64::from(x - 80).hypot(f64::from(y - 45));
-            (within[0]..within[1]).contains(&away_px)
-        });
-        let values: Vec<f64> = pixels.map(|(x, y)| f64::from(picture.rgb(x as u32, y as u32)[channel])).collect();
+    // The mean around the picture's middle, up to 8 pixels away.
+    let middle = |picture: &Picture, channel: usize| {
+        let pixels = (0..160 * 90u32).map(|i| (i % 160, i / 160));
+        let pixels = pixels.filter(|&(x, y)| (f64::from(x) - 80.0).hypot(f64::from(y) - 45.0) < 8.0);
+        let values: Vec<f64> = pixels.map(|(x, y)| f64::from(picture.rgb(x, y)[channel])).collect();
         values.iter().sum::<f64>() / values.len() as f64
     };
-    let middle = [0.0, 8.0];
-    let reds = [&white, &red].map(|picture| inside(picture, 0, middle));
+    let reds = [&white, &red].map(|picture| middle(picture, 0));
     assert!((reds[0] - reds[1]).abs() < 3.0, "{reds:?} of red");
     for channel in [1, 2] {
-        let [all, none] = [&white, &red].map(|picture| inside(picture, channel, middle));
+        let [all, none] = [&white, &red].map(|picture| middle(picture, channel));
         assert!(none < 0.25 * all, "channel {channel}: {all} reflected, and {none} of what is not");
     }
 }

@@ -17,7 +17,7 @@ const ALIKE: f64 = 0.985;
 /// over the picture: an eighth of what a display can show.
 const FLICKER_STEPS: f64 = 0.125;
 
-fn water(smoothing: Smoothing) -> FrameOptions {
+pub fn water(smoothing: Smoothing) -> FrameOptions {
     let surface = ScreenSpaceOptions {
         spacing_m: 0.1,
         radius_m: 0.08,

@@ -97,7 +97,7 @@ static DRAW_FOAM_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/foam.hlsl",
-    hash: "c6c03ae83a5aad9ecd9dad74af2d315d28e86bc2cd4a8095d849ffe947cb3eda",
+    hash: "0a17738eb116a6f40973d648e1aba2ba1a957938cc0f4032e512b1d50d27d308",
 };
 
 static DRAW_FOAM_FRAGMENT: Module = Module {
@@ -110,7 +110,7 @@ static DRAW_FOAM_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/foam.hlsl",
-    hash: "d8d5be8f38bb635e49eefcf4349a0dce7cf2b61c736cc5b6585f00d6cd14d81b",
+    hash: "b9da310d2e74d86ccc491a4d521721d157f9fd304aac12699b451a4692120562",
 };
 
 static DRAW_FOAM_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -123,5 +123,5 @@ static DRAW_FOAM_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "diffuse/foam.hlsl",
-    hash: "825d50e12253e1705f9e90da4e4a4a630de304649656ca6911b99068ec33a9e7",
+    hash: "d2a4cd48ee04ca381cfb1757ee45a7207dd4becaafd17c53ee0113b91a5056f3",
 };

@@ -203,148 +203,148 @@ static DRAW_FLOOR_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "3229aa80e8800c7f88f8e832548a7652e483acc5407ba5e450964198ab18106d",
+    hash: "872872f99c6c77317c0ad0b6ed5a17cf325d71e76c0bb225c79111b6d54312f8",
 };
 
 static DRAW_FLOOR_FRAGMENT: Module = Module {
     name: "DrawFloor.fragment",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 3128, bytes: 6824 },
+    spirv: Spirv::Packed { pack: PACK, first: 3128, bytes: 6720 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "25f4978e5de15c8c21fa84231136a9cc5fe9b9f8cf1e9dd4531ed39e37433a66",
+    hash: "2bb17fc1a473d88c96164e842b61241735f4913374b36dce1437d90028cdbdee",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 9952, bytes: 16932 },
+    spirv: Spirv::Packed { pack: PACK, first: 9848, bytes: 16828 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "429ec14fff2dd4dc38a8e3e40ca06df8e4914a01caeab80c34f11de15128a48c",
+    hash: "c3dc8bd5b592861e004fc004adeb0d33f33a94bb2b18b582ce1dda39b9f8ac5b",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_POINTS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+POINTS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 26884, bytes: 3128 },
+    spirv: Spirv::Packed { pack: PACK, first: 26676, bytes: 3128 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "993f0347aca4541d2915ce71b72e80bf1e5d0d80829e35370e23f89af117c2a6",
+    hash: "b80333a6bfe3647877a237fb3c67e40b2a2e9e24a40a215ed398628147d6e183",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+POINTS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 30012, bytes: 16012 },
+    spirv: Spirv::Packed { pack: PACK, first: 29804, bytes: 15908 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "845b9df8bc932ccdf0d6c6fa49c0a3296524a80810381f14f44fc89ba4d97bc6",
+    hash: "bcbd920058c168ae140b22aa2229649039d407bce9eae532b0bda55672a86f98",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_POINTS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+POINTS_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 46024, bytes: 24244 },
+    spirv: Spirv::Packed { pack: PACK, first: 45712, bytes: 24140 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "3c176a144d7af879139de4ee78032c702f93018934798c7de1130e100585d266",
+    hash: "8ded33bc5008822b27d0bc16a02708ea58c5ac9760896b1d4dde7bc3ce3e4a1b",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.vertex+WATER_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 70268, bytes: 3128 },
+    spirv: Spirv::Packed { pack: PACK, first: 69852, bytes: 3128 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "da1a9186d5902dc4a0eb48a1736296f621f1c821d37b83da0ef750f0525d6191",
+    hash: "dfabb297507b0102c21d2950f6ca7ef413def2d31211998381d2a05fbea1a159",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW: Module = Module {
     name: "DrawFloor.fragment+WATER_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 73396, bytes: 11244 },
+    spirv: Spirv::Packed { pack: PACK, first: 72980, bytes: 11140 },
     bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "475bec465a369406175a7f66d7440bde3f89c6c2b617285b831b402a05f26219",
+    hash: "03aa6c865412bae28afd33c298c7c7c7eb0b3eada8369f4d1fe9e80eb9da48de",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_WATER_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+WATER_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 84640, bytes: 20548 },
+    spirv: Spirv::Packed { pack: PACK, first: 84120, bytes: 20444 },
     bindings: BINDINGS_8,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "15f0e5722dc66959689a33b96020b6566fd36cca548d6fc72506429a4e89c707",
+    hash: "1808f9077532c100c6927d4d7c2831e68ceea651dbd9284caceb09590ef998a4",
 };
 
 static DRAW_FLOOR_VERTEX_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.vertex+CAUSTICS_SHADOW",
     entry: "FloorVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 105188, bytes: 3128 },
+    spirv: Spirv::Packed { pack: PACK, first: 104564, bytes: 3128 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "56d933f63c980945865dfdcb330aeaba8150de53a9feb947e186dbddce9503f6",
+    hash: "17af0cc9a11464be313ccc7bc7f4f3b0f298ce45fb27d6e4f0014f74551671c8",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+CAUSTICS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 108316, bytes: 10372 },
+    spirv: Spirv::Packed { pack: PACK, first: 107692, bytes: 10268 },
     bindings: BINDINGS_9,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "55a4db78a9e2b8e05c60038db92fe63c5e4be4eb165f7edd364e9a4fd04534ff",
+    hash: "ee4a5afde765a11864385c0bc37400667f1ce8203de7e53d72029a790a17e12a",
 };
 
 static DRAW_FLOOR_FRAGMENT_WITH_CAUSTICS_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawFloor.fragment+CAUSTICS_SHADOW+SOLIDS_SHADOW",
     entry: "FloorFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 118688, bytes: 20028 },
+    spirv: Spirv::Packed { pack: PACK, first: 117960, bytes: 19924 },
     bindings: BINDINGS_10,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/floor.hlsl",
-    hash: "f79d117a47b297a215af02bbb7e5b15fc4ed982ff444b67e7b8bc598f6cc3eb8",
+    hash: "fa071f7c0820e3aa5edb7209dc46985c69cf797c98a0d4699e3eb90dce1282c6",
 };

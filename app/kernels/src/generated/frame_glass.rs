@@ -149,7 +149,7 @@ static DRAW_GLASS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "c046ab7e72e4720be0cb61ec5fb7986d055c076e939f3333191b6784eeb2725f",
+    hash: "e2a76ae2bac75034be8a2c3cbdf850ad37364190c56561190e77f7ff1d47514f",
 };
 
 static DRAW_GLASS_FRAGMENT: Module = Module {
@@ -162,7 +162,7 @@ static DRAW_GLASS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "2230f899eea29dc26b584b63621b8744a12d6195ab2c1884d9bce602bde705a7",
+    hash: "0b247c2e283e7fdc1aea00353cd31d782d2ffe39026e1038048f4be612dedec6",
 };
 
 static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
@@ -175,7 +175,7 @@ static DRAW_GLASS_VERTEX_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "7f47f22592b4566f9493f1caaeced8309c58d6e9cc073eea5b851129a0b13f81",
+    hash: "17312c553e2e223deceb821e4cfb17ee192a2c92322fc634ecfcdadc22dd62b7",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
@@ -188,7 +188,7 @@ static DRAW_GLASS_FRAGMENT_WITH_BEHIND_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "751973de1eb08eebd4c5a6a94d838edf7d72d91d386d8cd90dea551994f6295f",
+    hash: "5c9226895b6e68a8165937e027beca84021d11d51d83224ead1dd5c3bb5bce86",
 };
 
 static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
@@ -201,5 +201,5 @@ static DRAW_GLASS_FRAGMENT_WITH_BEFORE_WATER: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/glass.hlsl",
-    hash: "779c56c3a206b1e584a54026dc129efc4640acbc3809f67041cd02e62dd1920e",
+    hash: "8900e04877376c8d905b0b6884991629e734b505f7416916f4e0b029921e9cde",
 };

@@ -183,7 +183,7 @@ static DRAW_SHADE_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "dab1b57e1bd90b621548a0836c839386f9bfbdda0bfe3a66d3d53b6a2f66e55b",
+    hash: "001a390197f65917de3ecd22a53c39fb89628b785e4fc59a10b8e416fe8f5f0d",
 };
 
 static DRAW_SHADE_FRAGMENT: Module = Module {
@@ -196,7 +196,7 @@ static DRAW_SHADE_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "fc5fd1a1904dac5d7e6c7583b2a4fc7cf3588bf9ef5b561748de5c7c0755ca66",
+    hash: "19e43571d9142cc1a2dc8822421004bccab249847a160f541494c50093f20d67",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
@@ -209,7 +209,7 @@ static DRAW_SHADE_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "8bc2b4e7171f137fb5bc7b6cfb3dc3525904c2c1dcd73c65872e7be712c301f4",
+    hash: "3a0ee22053a6e322c0f42e29c58535072a20874a11115573dd5786199f18a6fb",
 };
 
 static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
@@ -222,7 +222,7 @@ static DRAW_SHADE_VERTEX_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "5f2b363e4ef798de5132695d7033848d4d996e3190981c25048de0dacb3b7d24",
+    hash: "d45b7de36deadd7952949b3e4b702f7b301dc646196bab2c047a41b6fff83f54",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
@@ -235,7 +235,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "aaf9bfc67923d35dbcf82df7ae660de169f9db918092af6bb641bad039050dbb",
+    hash: "a18a624b28c7d36276064c82ab8d83eef69df48b61a5b66e7fa8cff77cff7ac6",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module {
@@ -248,7 +248,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_FLUID_WITH_SOLIDS_SHADOW: Module = Module 
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "bff0e478dc960060c00ab2502af95825f20f36d4ba7375139ffe4bf53e70e649",
+    hash: "307f63c56521c26bcea26f22bb711d5a225a6fe2b2aae4a81ac559d70a691df6",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
@@ -261,7 +261,7 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "a4371dfa21327afb1b38162dad3343fcff130c55c6686da0e7150b07618b3665",
+    hash: "b1f93cbcdb51a3907866728dc5160fdd79059dd2e8bca868dbc9ec1e89c11afe",
 };
 
 static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Module {
@@ -274,5 +274,5 @@ static DRAW_SHADE_FRAGMENT_WITH_COLOR_DENSITY_WITH_SOLIDS_SHADOW: Module = Modul
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shade.hlsl",
-    hash: "fd531bde87549814823ef44301482ddedbdeabe701dc300d763bb6fff83b7490",
+    hash: "e74c256f489bf3920d7261f2ff519a1f180d9e4aa967f140311e887018b5bf04",
 };

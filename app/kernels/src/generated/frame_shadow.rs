@@ -58,7 +58,7 @@ static DRAW_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "590e2fa0a1319afd1d4d46ce028ec32f3a62b6637e4f2d278ca082568a067d6c",
+    hash: "437268db3dd8ad0d69eb99d9d205a2c40709978d338bae9bd15fc46937dafd43",
 };
 
 static DRAW_SHADOW_FRAGMENT: Module = Module {
@@ -71,5 +71,5 @@ static DRAW_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/shadow.hlsl",
-    hash: "515bc28edf41e61edc576cac0a2671493f1baa04f2e55b181f049166b4de5508",
+    hash: "790b8641497b0580bceea15577e8555216a8d2e2025cab725172549c56aee272",
 };

@@ -48,7 +48,7 @@ static DRAW_SKY_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "e0b4e608af3e511ae3b4648264c48ae2c6c46c1e74169091daadad3470e291a7",
+    hash: "0e1c8c94444f1467cb486fdacbde0941e3a2b2cd40fe5ca532b4254f6b44da10",
 };
 
 static DRAW_SKY_FRAGMENT: Module = Module {
@@ -61,5 +61,5 @@ static DRAW_SKY_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/sky.hlsl",
-    hash: "cbbb25a4e71425733d43a1dd49f987bec4d0163131f99a97519f4fef2ab0d12d",
+    hash: "a8b3a306052f6cfadb9c032f1c4150947cc5364577e2d438d2ea13a9ebb408a4",
 };

@@ -194,7 +194,7 @@ static DRAW_SOLIDS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "dd022012687c85590f0662cc57269eeddd30747e202b264834b332d71f4c38af",
+    hash: "7f73f36413b7b396ba20199a31f02c340c21c729052e5600ae41917622c78945",
 };
 
 static DRAW_SOLIDS_FRAGMENT: Module = Module {
@@ -207,7 +207,7 @@ static DRAW_SOLIDS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "3a1986b3bc947ffbbf5aefd3d82e19dfec4f2ed931873b1a1ef6101b34184e6f",
+    hash: "1b3586b589ea5e785f5b090a2995a4fd9be79e6b9448dd940c0954b8ddc3143b",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
@@ -220,7 +220,7 @@ static DRAW_SOLIDS_VERTEX_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "d5cf119eb0a35d6948245ae12ba856136d54b5590f29a38bf63b3a8281726540",
+    hash: "662900df8fdaedcdcf0fd7b08c6368de7ff293710ac496e3f4ffb3c2d5ee135f",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
@@ -233,7 +233,7 @@ static DRAW_SOLIDS_FRAGMENT_WITH_POINTS_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "0276b54e3f454227135eea3f816b698ebc861935ad3bfe0bdbb6f5fd5ebb576d",
+    hash: "bab8abafd451cb26cdea1a5382a1ea07acb7b51873a1ecc5f2acc570a8ce2fe6",
 };
 
 static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
@@ -246,7 +246,7 @@ static DRAW_SOLIDS_VERTEX_WITH_VOLUME_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "c06d170a3c4ea58737e7ae8bedef8dd4c83b40a8a701e129c1e8d7f55a070d82",
+    hash: "a217aa4c209b803ba9f51b5c8626a71dcbe6da2cc7618bbb0a4209d8f5c81132",
 };
 
 static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
@@ -259,5 +259,5 @@ static DRAW_SOLIDS_FRAGMENT_WITH_VOLUME_SUN: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids.hlsl",
-    hash: "47268aab9674e4bf5c58b50ad60d25ef7e07aaad8c9fd22b2a85074e5e5c7d8b",
+    hash: "1a8d2524b6376d68df16af28e4c81e4a8ff3f46be5c884fd0012495ee968136b",
 };

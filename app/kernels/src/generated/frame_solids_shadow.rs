@@ -74,7 +74,7 @@ static DRAW_SOLIDS_SHADOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "b45a125e51b5dc5ae2f3a0218829d04d35eddf6df3b7a7806c255fcc7237bebc",
+    hash: "fb4d49d676ebac3df1c2369f8c826e74b83ecb822e30a0fb139234656c20fdd5",
 };
 
 static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
@@ -87,5 +87,5 @@ static DRAW_SOLIDS_SHADOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "frame/solids_shadow.hlsl",
-    hash: "698467a9beba2d4cb69586069f64642fdbc689c825b5535e633c03fb872613db",
+    hash: "54dbe71844a9a98d5771e94afabef9cb6f68725258562a3b77795823dc25c615",
 };

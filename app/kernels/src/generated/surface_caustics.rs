@@ -66,7 +66,7 @@ static DRAW_CAUSTICS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "c7feb0bba8a723d3849ff9a5c1e05ad411f8a54440c38a34aa7743e4a8e9effa",
+    hash: "dfdbb67abd81633f937cee0027929114188da24681d137fc3afd95ef0d35921f",
 };
 
 static DRAW_CAUSTICS_FRAGMENT: Module = Module {
@@ -79,5 +79,5 @@ static DRAW_CAUSTICS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/caustics.hlsl",
-    hash: "6e4bbb91a1f86f542774ce2ceb87f632165deabd1d39ec8bb9acf80bb381d57c",
+    hash: "20a7675a0626b72e695e0afb82e97d563b78681e9c68a7334c7839bb793b1947",
 };

@@ -72,5 +72,5 @@ static COUNT_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/count_sun_volume.compute",
-    hash: "996cb382c78e2371db44706a09aca005246432d9f8a44a422f413ff2d2a38f89",
+    hash: "7bff8482549d673e130d3dbf412adce28baeae13496bb01728b7aa755132cfcb",
 };

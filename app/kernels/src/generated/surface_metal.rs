@@ -161,70 +161,70 @@ static DRAW_METAL_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/metal.hlsl",
-    hash: "8f053614a4847c2e84c0c5957b490761220f138b8675fc501854405575bfae49",
+    hash: "0b9eeba0e1208e13d736dd41e0d2feab1773c40b07a6633dadfa8b577566057f",
 };
 
 static DRAW_METAL_FRAGMENT: Module = Module {
     name: "DrawMetal.fragment",
     entry: "MetalFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 1716, bytes: 14956 },
+    spirv: Spirv::Packed { pack: PACK, first: 1716, bytes: 14772 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/metal.hlsl",
-    hash: "c34c674dbe1c81d965666ed615fb292bfe57801cbaabcc481d713148800605a2",
+    hash: "38d17595e67b2648c4b3d5bc6a1d34b212a48fc72a2b30a4d2f7690c6bbf070b",
 };
 
 static DRAW_METAL_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawMetal.fragment+SOLIDS_SHADOW",
     entry: "MetalFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 16672, bytes: 18692 },
+    spirv: Spirv::Packed { pack: PACK, first: 16488, bytes: 18492 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/metal.hlsl",
-    hash: "703e3c3dae4d9b1bb09ea59651e0690342002e6de6daabeb2a772528f71a4d52",
+    hash: "c7cbe167451fe4a492b2e87c1d777317b8dc6dcb6a29b212af00c2d16d59f18e",
 };
 
 static DRAW_METAL_VERTEX_WITH_MESH_NORMALS: Module = Module {
     name: "DrawMetal.vertex+MESH_NORMALS",
     entry: "MetalVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 35364, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 34980, bytes: 1716 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/metal.hlsl",
-    hash: "9fb4022887d8937500a4b2b7c54ea551a35357962cced55ffcf157102a660282",
+    hash: "840faf258a02035d6d158de396dbeaf1458cf3084025543f3909e44260ccd11f",
 };
 
 static DRAW_METAL_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     name: "DrawMetal.fragment+MESH_NORMALS",
     entry: "MetalFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 37080, bytes: 11740 },
+    spirv: Spirv::Packed { pack: PACK, first: 36696, bytes: 11540 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/metal.hlsl",
-    hash: "48c95e298e4ce8b5e958422e5a2c0bfb162d20c59f5744d7b84f35f41ebbf0a6",
+    hash: "035effa11384e3bbb1cdba404a47870e53c4f51bc8b892d9c6f1f0e5612570a7",
 };
 
 static DRAW_METAL_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawMetal.fragment+MESH_NORMALS+SOLIDS_SHADOW",
     entry: "MetalFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 48820, bytes: 15528 },
+    spirv: Spirv::Packed { pack: PACK, first: 48236, bytes: 15312 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/metal.hlsl",
-    hash: "3a16868de23d0e3341854ca3fa9872337bde9887552ab0e70a6e5123c9c42803",
+    hash: "5db731ac7f2bc2c80df49258d08f90d2d2fdee4da7b864cb0a9a5115d6e335af",
 };

@@ -62,7 +62,7 @@ static DRAW_OPAQUE_PLANES_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "62cd7e70f71b05ee217bf19524acc35e05394a71b957656d8f0e59df7f98b83f",
+    hash: "fc0960b64529231f16595fe3609dec2ca8ec425e5bb0821bd4f6b326f3b4f00c",
 };
 
 static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_OPAQUE_PLANES_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/opaque_planes.hlsl",
-    hash: "77ce19eabfacfaac85b933a0f4904793d69a6188bb06d9f855a7a8966f2a1640",
+    hash: "48dbd932c01756dd6199b5b20f8f08f3da13d01c94dc267d91716809fd699a15",
 };

@@ -73,5 +73,5 @@ static REFRACT_PHOTONS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/refract_photons.compute",
-    hash: "a38e2839499a986c9b9a6bb638d53069f2f93276994fbaa800dd9ee57f2ecdc3",
+    hash: "0400dc6b2d5a31408a911db0f9a66ed483d43941a1491173eed74a3f869b9343",
 };

@@ -81,7 +81,7 @@ static DRAW_SMOOTH_BILATERAL_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "75f89da5b79e0702c7268fe9f2130ebb17fdcbb4f2a5e04bbbae7442440bc1f1",
+    hash: "2fb1fad3bd6a9eb74202901e10e51fe07705da426ffed626bbbc88e82407ac82",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -94,7 +94,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "cd763c0ea1c1b74a69e19ae891b65a12e41a8861c3f4ac2ee03e5583faabee85",
+    hash: "d5935d1f4d1386fe2bdf71f2b299e1b3d899f75377465eadcf5d930649e5ef60",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -107,7 +107,7 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "3e6087a1915cea69323478388dea05b1f58d16b3dae8a6ca5493f52d17efcb10",
+    hash: "564588d341470e281ac88cc71dfcd74328c30ee623848a82c9deb67be80f7f1f",
 };
 
 static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -120,5 +120,5 @@ static DRAW_SMOOTH_BILATERAL_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_bilateral.hlsl",
-    hash: "d6457e28296f7d65ad058e1bafbe90200ec3974ff38479c00830f2f11c6231c9",
+    hash: "355c5daf21581a1680d77633d68b010ed2b2550dc4409e56d988145a88cb4370",
 };

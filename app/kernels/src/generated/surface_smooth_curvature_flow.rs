@@ -65,7 +65,7 @@ static DRAW_SMOOTH_CURVATURE_FLOW_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "7358b6c97c8e97117dfe3a8c716345fee968bcc7e3f3b3ad01571cbdf03dc374",
+    hash: "59a319e110e11c1d44d0cc046663eaad8d91d8a4b81d3cf0b8e73e9900ad6124",
 };
 
 static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
@@ -78,5 +78,5 @@ static DRAW_SMOOTH_CURVATURE_FLOW_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_curvature_flow.hlsl",
-    hash: "e2297f5a9245730cb747e3dad73e17c3b221c78c089b79086624dc0b76a73f25",
+    hash: "6c1bf93a4021b28d2af7040fd3a6817bbe343f3c0f0e81e8f91646b04b68c655",
 };

@@ -78,7 +78,7 @@ static DRAW_SMOOTH_GAUSSIAN_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "7881386afdad78b80ef57e3d54bfc680bf158a7110dad78a54bfb45e1088a115",
+    hash: "8ea8cb2dc023203bd0540cb4382257bb09523732d341431ce91978e98aad37e1",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -91,7 +91,7 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "febf5a0debc89344630fbd2777d2dfba03a1a8b3ded560663902d98c5c2c43d6",
+    hash: "7fa8d3d987c98029800a3137f5e9c2790032c76717c9044b316c85e8d1bafd2b",
 };
 
 static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -104,5 +104,5 @@ static DRAW_SMOOTH_GAUSSIAN_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_gaussian.hlsl",
-    hash: "41996d0ff0d3db9f3e05c23108b1362b27ece4f79db185208b7ac7066dfbd9ff",
+    hash: "c21f56b6a7726f803e7842a5cad8856ccdb8a783dddf7b4e439c0534b4203324",
 };

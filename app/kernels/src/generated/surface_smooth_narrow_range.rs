@@ -82,7 +82,7 @@ static DRAW_SMOOTH_NARROW_RANGE_VERTEX_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "b04465b0d179f17210a043c0eae839b58dfb1fc3317fcf4e793be2a4fcd26b97",
+    hash: "2e6fd718819c3810bd2b1e2885624fb88517e8a58bdcfad490ea0db6451207a5",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
@@ -95,7 +95,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "0fcf3b966f86aa2616b01872e0946e134321ab0e277188e399b3ba81b495d0e2",
+    hash: "0df5e7e27f96184d56c9a0e44fc81900d6b72522f0f7a34e554d79fd9e3e889a",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
@@ -108,7 +108,7 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "858cf55ee961271ad72ccc99701d0a75e6b0f5976ad15764eaac18909bc163e1",
+    hash: "18192fc1b1990980be2d588d45b3a0c89f023e9ce718e3ca99ad85cb60244b94",
 };
 
 static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
@@ -121,5 +121,5 @@ static DRAW_SMOOTH_NARROW_RANGE_FRAGMENT_WITH_FILTER_PLANE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_narrow_range.hlsl",
-    hash: "ed1b9c8504130249596c8af3dd31ec812c8a00de2b34732c35523e57873972b5",
+    hash: "0e12554bb0591a9be025f90b26f759c6cd25c75214ade1a97ce56ad5d6279c74",
 };

@@ -87,7 +87,7 @@ static SMOOTH_PHOTONS_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "00d0dcd0b67bbe446d0b0a3869cc2fb5daa224a7fcd919fb48daff5c0e54565a",
+    hash: "fd11d5f17cf2b92203ebdbbb003ad3c07104c6f13eb04f9a46c1ea3da4621a13",
 };
 
 static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
@@ -100,5 +100,5 @@ static SMOOTH_PHOTONS_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_photons.compute",
-    hash: "faa7f6694021aed83a09dcc49746e21c845e6744f84ec8c0a1e3118d914565e5",
+    hash: "dd8aa6419bfce5f3aaefe00955dc76bd28a29cad3dbf081a249421965bec55b2",
 };

@@ -80,7 +80,7 @@ static DRAW_SMOOTH_SUN_DEPTH_VERTEX_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "01e59b10173ed2621030229c2d9e021cc21c5bfc4129550a4e33315f124ced76",
+    hash: "5f170d363bfc84494537edfca5ae98faa11d1b2505071f82e3dc3cd11a5b23af",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
@@ -93,7 +93,7 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_X: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "b528ce729bc64c8edebf69ee5b3e0e27a93c4d5411cccefaf80a841ffabbc8d6",
+    hash: "1945aab997b9e368364bf950df31031ab58966ac9626e6492ecb85fa9f11c07b",
 };
 
 static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
@@ -106,5 +106,5 @@ static DRAW_SMOOTH_SUN_DEPTH_FRAGMENT_WITH_ALONG_Y: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/smooth_sun_depth.hlsl",
-    hash: "47015b6e48b47c05f542e07c17738993757e302b225519f6e70d6512a955a5ba",
+    hash: "9d995ddc84ea01ce9efe2730d897e2393c76b5328920c6b5970f5b56ba8ef6de",
 };

@@ -67,5 +67,5 @@ static SUM_SUN_VOLUME: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sum_sun_volume.compute",
-    hash: "6236b159d069910852b4720023d472225c5fcff1dd051fa70c249bb6e70a142e",
+    hash: "471199d97af19d659e5ef60d43569350b6711d491ae55ba005dd7606c2c3e874",
 };

@@ -117,7 +117,7 @@ static DRAW_SUN_DEPTH_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "e820c7702f45f31ddb46675b145103a31fc865b94a46ead704329eab656fd574",
+    hash: "31d29e3d535663b8b783fe72d3ffd3674ed16465d2d3b82cecd2449830bad399",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
@@ -130,7 +130,7 @@ static DRAW_SUN_DEPTH_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "bc7c00f9c31752deda7ae57f76fde5bbb089428d70e461015fc004aebd494c19",
+    hash: "9be4f48ea9e67ea0ae85fa3cebf91e63711184696e635e85793fa7fa5c1160d8",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
@@ -143,7 +143,7 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "6d50627de3930fb6c5800edacdb7bd0318fedeacb88e054e0f7fdd70982ea99b",
+    hash: "8ea6994104dffc98c5eae922775a98043e4fc5352660bd7dcb3de612a6c6d5b6",
 };
 
 static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
@@ -156,7 +156,7 @@ static DRAW_SUN_DEPTH_FRAGMENT_WITH_SPRAY_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "3e9647e0cd925efed814a76a11b46c928658f53945bd6511b753c82cc8b17545",
+    hash: "b469b2043efa7b26a31bb9a144baae2a6d9272fa91bdd2c3bc3844f2dc889c93",
 };
 
 static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
@@ -169,5 +169,5 @@ static DRAW_SUN_DEPTH_VERTEX_WITH_ELLIPSOID_SHAPE: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_depth.hlsl",
-    hash: "27fb426511b6a92606683df53fc1b0f89305f6ebf2a197fe36747862f035bed7",
+    hash: "2726479e1f047c6d2c39a4438b842925cd89ec359853eacf0eec80776fd24b22",
 };

@@ -88,7 +88,7 @@ static DRAW_SUN_THICKNESS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "48f9af399ecc3e7f7472e576ac54307b188795ea4e653a7840cee00efcf59987",
+    hash: "5cce0e00cf0ca561f36165bb8aced83b3b4bb0d7d490445e9a1c21a0ee5177d7",
 };
 
 static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
@@ -101,7 +101,7 @@ static DRAW_SUN_THICKNESS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "bcbf645e5b93f785119392668512461051cfb78c7aeb74a3a86d5b93a4f483b6",
+    hash: "064c9e28def58f47a6ffc63684fb9ac8f99aeed7f924c9a4a306926adfee7195",
 };
 
 static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
@@ -114,5 +114,5 @@ static DRAW_SUN_THICKNESS_VERTEX_WITH_ELLIPSOID_CENTERS: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/sun_thickness.hlsl",
-    hash: "e4d5ea8aea71ff80ba896ef637f921470390d5747148d6fdde527f14431efacb",
+    hash: "012e90f2e68942b3a30287c140cb60c2453ce4a90be436deca62785199885372",
 };

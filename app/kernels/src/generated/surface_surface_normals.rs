@@ -62,7 +62,7 @@ static DRAW_SURFACE_NORMALS_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "743773542dd5fd8280b9cdf5dbc984732bf71bdeb8f414bfcbfef4656b6ad8c7",
+    hash: "9c7edd4ff8389b6f4032ddace00b4aa0cc324a8b3f54a6fb92b6b35a7d016a96",
 };
 
 static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
@@ -75,5 +75,5 @@ static DRAW_SURFACE_NORMALS_FRAGMENT: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/surface_normals.hlsl",
-    hash: "38b9e01cb74139a03dd468ca495e85bb03b07c4be3ba6c7e13aee8529e3b5f21",
+    hash: "84927ce7b5b9d6dad8cc83a8010d3425842bbff439530efbddfd89208af4c16b",
 };

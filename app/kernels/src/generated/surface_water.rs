@@ -259,148 +259,148 @@ static DRAW_WATER_VERTEX: Module = Module {
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "275d099d29284905adddcd2cd221e8b04fa6cffe784b151e45a4d019cbdcb834",
+    hash: "ecfb0a7af459eeec261d94ee2514c4f14a3508fb2537f4ce84c969d9e74a84a7",
 };
 
 static DRAW_WATER_FRAGMENT: Module = Module {
     name: "DrawWater.fragment",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 1716, bytes: 15224 },
+    spirv: Spirv::Packed { pack: PACK, first: 1716, bytes: 15288 },
     bindings: BINDINGS_1,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "0d1f326e78da31a6dc9f0e4ad5d1de4083aa5ba99f6036e1c926cd4483f1e960",
+    hash: "da8d16ab71556b99b3d923b77c05ad66f5ca217581e857a51e816e9f680f9685",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 16940, bytes: 19016 },
+    spirv: Spirv::Packed { pack: PACK, first: 17004, bytes: 19080 },
     bindings: BINDINGS_2,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "6d0e1bb858a1fc6a559367d967ae749161d42118a54ff75c49e48f5451a1e9ae",
+    hash: "9eaede7bb8155ee9c170409f991ab7520616b8e2997decd297a374f8347fc2ba",
 };
 
 static DRAW_WATER_VERTEX_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.vertex+SELF_SHADOW",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 35956, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 36084, bytes: 1716 },
     bindings: BINDINGS_3,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "ac119127b8dea1955315f1c9aee4e487d57e683047773bc7ce45a6beb8c84627",
+    hash: "e1d61f9032305cd3c9c8e37a649b4ca01fb78ec19010c92d35b3d8489668e932",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.fragment+SELF_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 37672, bytes: 18040 },
+    spirv: Spirv::Packed { pack: PACK, first: 37800, bytes: 18104 },
     bindings: BINDINGS_4,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "1ecb545583e630542c475adc17348b7ad624351caa663d448a525234cc3ccdde",
+    hash: "73fffd3e8bd544c00534337e1a1a337a7a52aa45ff3f5ae9cc13d812ae3f142e",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+SELF_SHADOW+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 55712, bytes: 21560 },
+    spirv: Spirv::Packed { pack: PACK, first: 55904, bytes: 21624 },
     bindings: BINDINGS_5,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "5197176f3fbb699bc7fbe1f49531797a0054e1f870361344b8a587e62d57cc0e",
+    hash: "a8d56aeafce21c676ed160d992bf16d6c347aca7c0c761874911d5a23b81c115",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS: Module = Module {
     name: "DrawWater.vertex+MESH_NORMALS",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 77272, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 77528, bytes: 1716 },
     bindings: BINDINGS_6,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "23ab33ef17e0f041925bc00a5830ea1c20b424679df02acba80b6df1956bc557",
+    hash: "3838370c2bec6f4e4c3d7ba644e4442844fc1ad03e684e35d381306ae0195721",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 78988, bytes: 12224 },
+    spirv: Spirv::Packed { pack: PACK, first: 79244, bytes: 12288 },
     bindings: BINDINGS_7,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "fe19ffa88ef1380338d9e739402c52d00a7aa38e839f5d569e97ce7a2d5a5cc9",
+    hash: "e16523b8c98afe48c340a42dbde78d6a01759fabaf9be53223dbfbea7756f663",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 91212, bytes: 16032 },
+    spirv: Spirv::Packed { pack: PACK, first: 91532, bytes: 16096 },
     bindings: BINDINGS_8,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "4da2b8345962403e54f9c7404182f8c5a9eaf506e4f37410dce3c3df13db55c0",
+    hash: "6408014a33fc72b7e0a37ecf26f9155d25720d8a52071d91e5368ae0b3f5000d",
 };
 
 static DRAW_WATER_VERTEX_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.vertex+MESH_NORMALS+SELF_SHADOW",
     entry: "WaterVertex",
     stage: StageKind::Vertex,
-    spirv: Spirv::Packed { pack: PACK, first: 107244, bytes: 1716 },
+    spirv: Spirv::Packed { pack: PACK, first: 107628, bytes: 1716 },
     bindings: BINDINGS_9,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "e22ea2c595befeb0c62d3209b759db9493d5c4aa8f06900b82407df65b7b4f94",
+    hash: "f659993e9b159385fe507497bf14a53bf78eddfbc332c2c430375a81946c6d74",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SELF_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 108960, bytes: 15040 },
+    spirv: Spirv::Packed { pack: PACK, first: 109344, bytes: 15104 },
     bindings: BINDINGS_10,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "7708da362692afd4a6e9b10d8ba8a20142d7ec704a0746b74c5d749e89cbd628",
+    hash: "3d3aa38417bd95e71d625177a4144d698e08cd478dff1e02fa2139864b116f86",
 };
 
 static DRAW_WATER_FRAGMENT_WITH_MESH_NORMALS_WITH_SELF_SHADOW_WITH_SOLIDS_SHADOW: Module = Module {
     name: "DrawWater.fragment+MESH_NORMALS+SELF_SHADOW+SOLIDS_SHADOW",
     entry: "WaterFragment",
     stage: StageKind::Fragment,
-    spirv: Spirv::Packed { pack: PACK, first: 124000, bytes: 18576 },
+    spirv: Spirv::Packed { pack: PACK, first: 124448, bytes: 18640 },
     bindings: BINDINGS_11,
     group_size: [1, 1, 1],
     shared_bytes: 0,
     tier: Tier::Floor,
     source: "surface/water.hlsl",
-    hash: "e6e0d2f8273fb6eb24562b76e0c19ec06987c9d09339f34c62573686b39c4d3d",
+    hash: "ef984bfe8a409c185d2df94b7871b77f66b75b9d33f53f77295175db02803d20",
 };
